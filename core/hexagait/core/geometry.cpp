@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
+#include <hexagait/core/geometry.hpp>
+
+namespace hexagait {
+
+Matrix3 rotation(const Vector3& w) {
+  const double angle = w.norm();
+  if (angle == 0.0) return Matrix3::Identity();
+  return Eigen::AngleAxisd(angle, w / angle).toRotationMatrix();
+}
+
+Vector3 rotation_vector(const Matrix3& R) {
+  const Eigen::AngleAxisd angle_axis(R);
+  return angle_axis.angle() * angle_axis.axis();
+}
+
+Vector3 roll_pitch_yaw(const Matrix3& R) {
+  return {std::atan2(R(2, 1), R(2, 2)), std::atan2(-R(2, 0), std::hypot(R(2, 1), R(2, 2))),
+          std::atan2(R(1, 0), R(0, 0))};
+}
+
+Matrix3 orthonormalised(const Matrix3& R) {
+  Matrix3 Q;
+  Q.col(0) = R.col(0).normalized();
+  Q.col(1) = (R.col(1) - Q.col(0).dot(R.col(1)) * Q.col(0)).normalized();
+  Q.col(2) = Q.col(0).cross(Q.col(1));
+  return Q;
+}
+
+}  // namespace hexagait

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <numbers>
+
+namespace hexagait {
+
+using Vector2 = Eigen::Vector2d;
+using Vector3 = Eigen::Vector3d;
+using Matrix3 = Eigen::Matrix3d;
+
+/// Pose of frame B in frame A: p_A = R_AB · p_B + p_AB. Monogram notation: docs/notation.md.
+struct Pose {
+  Matrix3 R = Matrix3::Identity();  ///< rotation R_AB
+  Vector3 p = Vector3::Zero();      ///< position p_AB of B's origin, in A [m]
+
+  [[nodiscard]] Pose inverse() const { return {R.transpose(), -(R.transpose() * p)}; }
+
+  friend Pose operator*(const Pose& X_AB, const Pose& X_BC) {
+    return {X_AB.R * X_BC.R, X_AB.R * X_BC.p + X_AB.p};
+  }
+  friend Vector3 operator*(const Pose& X_AB, const Vector3& p_B) {
+    return X_AB.R * p_B + X_AB.p;
+  }
+};
+
+/// A rigid displacement per second (or per step): the twist of a body, expressed in that body.
+struct Twist {
+  Vector3 v = Vector3::Zero();  ///< linear velocity of the body's origin [m/s]
+  Vector3 w = Vector3::Zero();  ///< angular velocity [rad/s]
+};
+
+/// Wraps an angle into (−π, π] [rad].
+[[nodiscard]] inline double wrap_angle(double angle) {
+  return std::remainder(angle, 2.0 * std::numbers::pi);
+}
+
+/// Rotation by `angle` [rad] about z.
+[[nodiscard]] inline Matrix3 rotation_z(double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return (Matrix3() << c, -s, 0, s, c, 0, 0, 0, 1).finished();
+}
+
+/// Rotation by the vector w: angle |w| [rad] about w/|w| (Rodrigues). Exact for any |w|, also 0.
+[[nodiscard]] Matrix3 rotation(const Vector3& w);
+
+/// The rotation vector of R, |w| in [0, π] [rad]; inverse of rotation().
+[[nodiscard]] Vector3 rotation_vector(const Matrix3& R);
+
+/// Roll, pitch, yaw [rad] of R = Rz(yaw) Ry(pitch) Rx(roll) (REP-103).
+[[nodiscard]] Vector3 roll_pitch_yaw(const Matrix3& R);
+
+/// R with its columns made orthonormal again (one Gram-Schmidt pass): removes rounding drift.
+[[nodiscard]] Matrix3 orthonormalised(const Matrix3& R);
+
+/// z × v: v turned by +90° about z, in the plane; z is dropped.
+[[nodiscard]] inline Vector2 perpendicular(const Vector2& v) { return {-v.y(), v.x()}; }
+
+/// z-component of a × b of two plane vectors.
+[[nodiscard]] inline double cross(const Vector2& a, const Vector2& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+}  // namespace hexagait

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+namespace hexagait {
+
+/// What a stream of random numbers is for. Separate streams, so that every controller meets the same
+/// terrain and adding a draw to one purpose moves no other.
+enum class RandomStream : std::uint32_t { terrain = 1, posture = 2, commands = 3, noise = 4, test = 5 };
+
+/// A counter-based random number: a pure function of (seed, stream, trial, draw), with no state.
+/// Philox4x32-10 (Salmon et al. 2011), key = seed, counter = (draw, draw >> 32, trial, stream).
+/// @returns uniform in [0, 1) with 53 random bits
+[[nodiscard]] double random_u01(std::uint64_t seed, RandomStream stream, std::uint32_t trial,
+                                std::uint64_t draw) noexcept;
+
+/// Successive draws of one stream. Copyable; the copy continues identically.
+struct RandomSequence {
+  std::uint64_t seed = 0;
+  RandomStream stream = RandomStream::test;
+  std::uint32_t trial = 0;
+  std::uint64_t draw = 0;
+
+  /// Uniform in [0, 1).
+  [[nodiscard]] double u01() noexcept { return random_u01(seed, stream, trial, draw++); }
+
+  /// Uniform in [lower, upper).
+  [[nodiscard]] double uniform(double lower, double upper) noexcept {
+    return lower + (upper - lower) * u01();
+  }
+};
+
+}  // namespace hexagait

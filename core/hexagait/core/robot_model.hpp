@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <hexagait/core/geometry.hpp>
+#include <hexagait/core/leg.hpp>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace hexagait {
+
+/// Joint values of one leg, hip to foot: yaw, hip pitch, knee pitch, in the robot's own signs and
+/// zeros (those of its URDF) [rad], [rad/s] or [N m].
+using LegJoints = Vector3;
+
+struct JointLimits {
+  double lower = -std::numbers::pi;  ///< [rad]
+  double upper = std::numbers::pi;   ///< [rad]
+  double velocity = 10.0;            ///< [rad/s]
+  double effort = 100.0;             ///< [N m]
+};
+
+/// Collision shape of a link. Cylinders lie along their own z.
+struct Shape {
+  enum class Kind { box, cylinder, sphere };
+  Kind kind = Kind::box;
+  Vector3 size = Vector3::Zero();  ///< box: edges; cylinder: radius, length, –; sphere: radius [m]
+  Pose X_LS;                       ///< in the link frame L
+};
+
+/// A rigid link. With all joints at zero its frame L stands at X_BL0 in the body frame B.
+struct LinkModel {
+  std::string name;
+  double mass = 0.0;                            ///< [kg]
+  Vector3 p_LM = Vector3::Zero();               ///< centre of mass in L [m]
+  Matrix3 inertia_M_L = Matrix3::Zero();        ///< about the centre of mass, axes of L [kg m²]
+  std::vector<Shape> shapes;
+  Pose X_BL0;
+};
+
+/// A yaw-pitch-pitch leg. The hip frame H stands on the yaw axis at the height of the hip-pitch axis,
+/// z up, x outwards along the leg at canonical yaw 0. In H, with canonical angles k:
+///
+///     foot = Rz(k₁) · (coxa + femur cos k₂ + tibia cos(k₂+k₃), 0, −femur sin k₂ − tibia sin(k₂+k₃))
+///
+/// The robot's own joint values q follow by k = sign · q + offset.
+struct LegModel {
+  std::string name;
+  std::array<std::string, 3> joint_names;
+  Pose X_BH;                                     ///< hip frame in the body frame
+  double coxa = 0.0, femur = 0.0, tibia = 0.0;   ///< link lengths; tibia to the foot's centre [m]
+  Vector3 joint_sign = Vector3::Ones();          ///< ±1
+  Vector3 joint_offset = Vector3::Zero();        ///< [rad]
+  std::array<JointLimits, 3> limits;             ///< of q
+  std::array<LinkModel, 3> links;                ///< coxa, femur, tibia (foot included)
+  std::array<Vector3, 3> p_BJ0;                  ///< a point on each joint axis, all joints zero [m]
+  std::array<Vector3, 3> axis_B0;                ///< joint axes, all joints zero, unit vectors
+  Vector3 p_BF0 = Vector3::Zero();               ///< foot centre, all joints zero [m]
+
+  Vector3 p_BC = Vector3::Zero();  ///< workspace centre: the foot centre of the nominal stance [m]
+  double workspace_radius = 0.0;   ///< horizontal disc about p_BC that the foot may use [m]
+  double min_reach = 0.0;          ///< hip-pitch axis to foot centre [m]
+  double max_reach = 0.0;          ///< [m]
+};
+
+/// A legged robot. Body frame B: x forward, y left, z up, origin at the base link.
+struct RobotModel {
+  std::string name;
+  LinkModel base;
+  LegArray<LegModel> legs;  ///< in the order of LegId
+  double foot_radius = 0.0; ///< spherical feet [m]
+  double mass = 0.0;        ///< all links [kg]
+  Vector3 p_BM = Vector3::Zero();  ///< centre of mass in the nominal stance [m]
+
+  int num_legs() const { return legs.size(); }
+};
+
+/// Thrown by the loaders: every violation found, one per line, each with file, element, value and
+/// what would be right.
+class InvalidInput : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Loads a robot from a URDF file.
+/// Recognised: a base link with an even number (4 to 12) of serial chains of three revolute joints,
+/// yaw-pitch-pitch, ending in a spherical foot. Legs are put in LegId order by where their hips are.
+/// @throws InvalidInput  if the file is missing, not XML, not such a robot, or has NaN or reversed
+///                       limits
+[[nodiscard]] RobotModel load_urdf(const std::string& path);
+
+/// The same from the text of a URDF; `source` names it in messages.
+[[nodiscard]] RobotModel parse_urdf(const std::string& xml, const std::string& source);
+
+}  // namespace hexagait
