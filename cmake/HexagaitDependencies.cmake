@@ -1,4 +1,4 @@
-# Every foreign library, found once. ODE and urdfdom come with pkg-config files only.
+# Every foreign library, found once. ODE, urdfdom and KDL come without CMake targets: pkg-config.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(yaml-cpp REQUIRED)
 find_package(fmt REQUIRED)
@@ -9,6 +9,7 @@ pkg_check_modules(ode REQUIRED IMPORTED_TARGET ode)
 if(HEXAGAIT_TESTS)
   find_package(GTest REQUIRED)
   include(GoogleTest)
+  pkg_check_modules(orocos_kdl REQUIRED IMPORTED_TARGET orocos-kdl)  # an oracle of kinematics
 endif()
 if(HEXAGAIT_TOOLS)
   find_package(CLI11 REQUIRED)

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <Eigen/Geometry>
 #include <hexagait/core/geometry.hpp>
 
 namespace hexagait {

@@ -46,8 +46,8 @@ template <class T>
 class LegArray {
  public:
   LegArray() = default;
-  explicit LegArray(int n, const T& value = T{}) : size_(n) {
-    assert(0 <= n && n <= kMaxLegs);
+  explicit LegArray(int n) : size_(n) { assert(0 <= n && n <= kMaxLegs); }
+  LegArray(int n, const T& value) : LegArray(n) {
     for (int i = 0; i < n; ++i) values_[static_cast<std::size_t>(i)] = value;
   }
 

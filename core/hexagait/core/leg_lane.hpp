@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <hexagait/core/commands.hpp>
+
+namespace hexagait {
+
+/// What a leg is doing. Everything but `support` counts as off the ground.
+enum class LegPhase : std::uint8_t {
+  support,   ///< stands and carries
+  unload,    ///< still stands, gives its load to the others
+  lift,      ///< goes up, vertically in odom at first
+  transfer,  ///< goes over to the foothold
+  descend,   ///< goes down until it touches
+  retreat,   ///< hit something on the way: back and up, then transfer again
+};
+
+[[nodiscard]] const char* to_string(LegPhase phase) noexcept;
+
+/// How feet are carried through the air.
+struct SwingParams {
+  /// Time to hand the load over before lifting [s]. Shorter: the foot slides while it unloads.
+  double unload_time = 0.04;
+  /// Time in which a landed leg takes its full load [s].
+  double load_time = 0.04;
+  /// Time from leaving the ground to the top [s].
+  double lift_time = 0.20;
+  /// Share of the lift after which the foot may move sideways. Smaller is faster, but an edge beside
+  /// the foot is hit more often.
+  double clearance_share = 0.4;
+  /// Duration of the sideways motion [s]; longer where max_speed asks for it.
+  double transfer_time = 0.38;
+  /// Bound on the sideways peak speed of the foot [m/s].
+  double max_speed = 2.0;
+  /// Descent begins when this much of the sideways motion's time is left [s].
+  double overlap_time = 0.10;
+  double descent_speed = 0.30;    ///< far above the expected ground [m/s]
+  double touchdown_speed = 0.08;    ///< where it is expected: bounds the impact [m/s]
+  double touchdown_margin = 0.006;  ///< distance from there up to which that speed is kept [m]
+  double search_speed = 0.15;       ///< far below it [m/s]
+  double vertical_acceleration = 6.0;  ///< in the descent [m/s²]
+  /// Height above the expected ground below which the foothold is no longer moved [m].
+  double commit_height = 0.03;
+  double retreat_back = 0.03;   ///< after a collision [m]
+  double retreat_up = 0.05;     ///< [m]
+  double retreat_time = 0.15;   ///< [s]
+  /// A support leg without contact for this long counts as off the ground [s] …
+  double lost_time = 0.03;
+  /// … and for this long goes down to find it again [s].
+  double regain_time = 0.06;
+};
+
+/// One leg's lane of the executor: which motion it is in and where its set point is. A value.
+struct LegLane {
+  LegPhase phase = LegPhase::support;
+  double time = 0.0;                  ///< in this phase [s]
+  double load = 1.0;                  ///< share of its load that it carries, 0 … 1
+  double without_contact = 0.0;       ///< [s]
+  Vector3 p_BF = Vector3::Zero();     ///< set point of the foot, body frame [m]
+  Vector3 v_O = Vector3::Zero();      ///< its velocity over the ground, odom axes [m/s]
+  Vector3 a_O = Vector3::Zero();      ///< its acceleration over the ground [m/s²]
+  Footstep step;                      ///< the command being executed
+  Vector3 p_OL = Vector3::Zero();     ///< where it left the ground, odom [m]
+  double transfer_clock = 0.0;        ///< time since the sideways motion began [s]
+  double apex_z = 0.0;                ///< height of the top of the swing, odom [m]
+  bool cleared = false;               ///< contact was lost since the lift
+  int retreats = 0;                   ///< collisions of this step
+  double reach_share = 1.0;           ///< of the way to the foothold, reduced when it can't be had
+  bool touched_down = false;          ///< landed in this tick
+  bool lifted = false;                ///< left support in this tick
+
+  /// The foot stands where it is, loaded or not.
+  [[nodiscard]] bool on_ground() const {
+    return phase == LegPhase::support || phase == LegPhase::unload;
+  }
+
+  /// Counts as a leg on the ground for rule 1.
+  [[nodiscard]] bool supports(const SwingParams& params) const {
+    return phase == LegPhase::support && without_contact <= params.lost_time;
+  }
+};
+
+/// What a lane needs to know at a tick.
+struct LegSensed {
+  bool contact = false;
+  bool reachable = true;  ///< the last set point was within the leg's reach
+};
+
+/// Starts a step, or replaces the target of the one in progress.
+void command(LegLane& lane, const Footstep& step, const Pose& X_OB) noexcept;
+
+/// Advances the lane by dt. The set point has been carried along with the ground already.
+void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt,
+             const SwingParams& params) noexcept;
+
+}  // namespace hexagait

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <hexagait/core/geometry.hpp>
+#include <hexagait/core/kinematics.hpp>
+#include <hexagait/core/leg.hpp>
+#include <hexagait/core/robot_model.hpp>
+
+namespace hexagait {
+
+/// What the controller knows of the robot: the measurement, and what follows from it.
+/// Frames: O odom (z up), B body, F foot (centre of the spherical foot).
+struct RobotState {
+  double time = 0.0;          ///< [s]
+  LegArray<LegJoints> q;      ///< measured joints [rad]
+  LegArray<LegTrig> trig;     ///< their sines and cosines
+  LegArray<Vector3> p_BF;     ///< measured feet, body frame [m]
+  LegArray<bool> contact;     ///< foot touches something
+  Pose X_OB;                  ///< base in odom, by odometry
+  Twist V_B;                  ///< base twist by odometry, body frame [m/s, rad/s]
+  LegArray<Vector3> p_OF;     ///< feet in odom; of support legs the footholds [m]
+  LegArray<Vector3> print_O;  ///< where each foot last stood [m]
+};
+
+}  // namespace hexagait

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <hexagait/core/kinematics.hpp>
+#include <hexagait/core/workspace.hpp>
+
+namespace hexagait {
+namespace {
+
+constexpr double kSingularMargin = 0.04;      // of femur + tibia
+constexpr double kLargestRadius = 1.0 / 3.0;  // of femur + tibia
+constexpr double kHeightRatio = 2.2;          // (femur + tibia) / nominal height
+
+double hip_to_foot(const LegModel& leg, double knee) {
+  const double f = leg.femur, t = leg.tibia;
+  return std::sqrt(f * f + t * t + 2.0 * f * t * std::cos(knee));
+}
+
+/// How far the foot gets from p_BC along a horizontal direction, at most `farthest` [m].
+double reach_along(const LegModel& leg, const Vector3& direction_B, double farthest) {
+  const auto reachable = [&](double s) {
+    return inverse_kinematics(leg, leg.p_BC + s * direction_B).reachable;
+  };
+  // Steps outwards, lest a gap is leapt over; then halves the step in which the end is.
+  constexpr int kSteps = 50, kHalvings = 40;
+  double inside = 0.0, outside = farthest;
+  for (int k = 1; k <= kSteps; ++k) {
+    const double s = farthest * k / kSteps;
+    outside = s;
+    if (!reachable(s)) break;
+    inside = s;
+  }
+  for (int k = 0; k < kHalvings && inside < outside; ++k) {
+    const double middle = 0.5 * (inside + outside);
+    (reachable(middle) ? inside : outside) = middle;
+  }
+  return inside;
+}
+
+}  // namespace
+
+Reach leg_reach(const LegModel& leg) {
+  const JointLimits& knee = leg.limits[2];
+  const double length = leg.femur + leg.tibia, margin = kSingularMargin * length;
+
+  // Canonical knee interval, moved by whole turns so that its middle is nearest to π/2.
+  const double bent = 0.5 * std::numbers::pi, half = 0.5 * (knee.upper - knee.lower);
+  const double centre = leg.joint_sign[2] * (knee.lower + half) + leg.joint_offset[2];
+  const double middle = bent + wrap_angle(centre - bent);
+  const double straightest = std::max(middle - half, 0.0);
+  const double most_bent = std::min(middle + half, std::numbers::pi);
+  if (straightest > most_bent) return {.min = length, .max = 0.0};
+
+  return {.min = std::max(hip_to_foot(leg, most_bent), std::abs(leg.femur - leg.tibia) + margin),
+          .max = std::min(hip_to_foot(leg, straightest), length - margin)};
+}
+
+Vector3 nominal_foot(const LegModel& leg) {
+  return leg.X_BH * Vector3(leg.coxa + leg.femur, 0.0, -(leg.femur + leg.tibia) / kHeightRatio);
+}
+
+double reachable_radius(const LegModel& leg) {
+  constexpr int kDirections = 120;
+  double radius = kLargestRadius * (leg.femur + leg.tibia);
+  for (int k = 0; k < kDirections; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / kDirections;
+    const Vector3 direction_H(std::cos(angle), std::sin(angle), 0.0);
+    radius = std::min(radius, reach_along(leg, leg.X_BH.R * direction_H, radius));
+  }
+  return radius;
+}
+
+}  // namespace hexagait

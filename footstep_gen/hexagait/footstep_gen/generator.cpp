@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <hexagait/core/support_polygon.hpp>
+#include <hexagait/footstep_gen/generator.hpp>
+#include <hexagait/posture/arc_optimum.hpp>
+#include <hexagait/posture/plane_fit.hpp>
+
+namespace hexagait::footstep_gen {
+namespace {
+
+using heading_control::PathArc;
+
+// Share of the workspace radius that a support leg may use before the base waits for it.
+constexpr double kUsableShare = 0.98;
+
+// [PC04] 4 in closed form: the arc's zero of the restricted gradient; for height and tilt the plane
+// through the footprints (docs/theory.md says why not the printed gradients).
+BaseGoal pose_adaptation(const BaseAuto& command, const PoseAdaptationInput& in) {
+  const posture::PlaneFit plane = 
+      posture::plane_fit(in.footprint_BF, in.p_BC, LegSet::all(in.p_BC.size()));
+  const double advance =
+      posture::arc_optimum(in.p_BF, in.p_BC, in.support, command.path).advance;
+  return {advance, plane.height, plane.roll, plane.pitch};
+}
+
+// Path until the foot, which goes backwards along the arc, leaves the disc about its centre [m].
+// The circle it runs on is taken as its tangent: short by less than 4 % of the stroke at r = 0.3 m.
+double workspace_left(const Vector2& offset, const Vector2& direction, double radius) {
+  const double speed2 = direction.squaredNorm();
+  if (speed2 <= 0.0) return std::numeric_limits<double>::infinity();
+  const double b = offset.dot(direction) / speed2;
+  const double root = b * b - (offset.squaredNorm() - radius * radius) / speed2;
+  return root <= 0.0 ? std::max(0.0, b) : std::max(0.0, b + std::sqrt(root));
+}
+
+// Path until the centre of mass comes closer than `margin` to an edge of the support polygon [m].
+// Over the path left in a step the body turns little: it is taken to go straight.
+double stability_left(const SupportPolygon& polygon, const Vector2& p_BM, const Vector2& direction,
+                      double margin) {
+  double left = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < polygon.size && polygon.size > 2; ++k) {
+    const Vector2& a = polygon.vertices[static_cast<std::size_t>(k)];
+    const Vector2& b = polygon.vertices[static_cast<std::size_t>((k + 1) % polygon.size)];
+    const Vector2 inwards = perpendicular(b - a).normalized();
+    const double approach = -inwards.dot(direction);
+    if (approach > 0.0) left = std::min(left, (inwards.dot(p_BM - a) - margin) / approach);
+  }
+  return std::max(0.0, left);
+}
+
+}  // namespace
+
+gait_state::GaitInput gait_input(const RobotModel& model, const PathArc& arc,
+                                 const Executor& executor, const StepParams& params) noexcept {
+  const int n = model.num_legs();
+  gait_state::GaitInput input{LegArray<double>(n, 0.0), LegSet(), LegSet()};
+  const LegSet support = executor.support();
+  for (LegId i = 0; i < n; ++i) {
+    const LegModel& leg = model.legs[i];
+    const Vector3& p_BF = executor.legs()[i].p_BF;
+    input.lag[i] = lag(arc, i, p_BF);
+    input.airborne.set(i, !support.contains(i));
+    const double behind = arc.direction[i].dot((leg.p_BC - p_BF).head<2>());
+    input.urgent.set(i, behind > params.urgent_share * leg.workspace_radius);
+  }
+  return input;
+}
+
+double path_to_come(const PathArc& arc, const Executor& executor, const RobotState& state,
+                    double half_step) noexcept {
+  PoseAdaptationInput in = executor.pose_adaptation_input(state);
+  for (LegId i = 0; i < in.p_BF.size(); ++i)
+    if (!in.support.contains(i)) in.p_BF[i] = aep(arc, i, half_step);
+  return std::max(0.0, posture::arc_optimum(in.p_BF, in.p_BC, in.support, arc.per_metre).advance);
+}
+
+Footstep footstep(const RobotModel& model, const PathArc& arc, const RobotState& state, LegId leg,
+                  double half_step, double to_come, double height) noexcept {
+  const double reach = 0.5 * model.legs[leg].workspace_radius;
+  const Vector3 aep_BF = aep(arc, leg, std::min(half_step, reach) + to_come);
+  Footstep step{leg, state.X_OB * aep_BF, height};
+  step.p_OT.z() = state.print_O[leg].z();
+  return step;
+}
+
+BaseAuto base_auto(const RobotModel& model, const PathArc& arc, const Executor& executor,
+                   const PlanarTwist& deviation, const StepParams& params) noexcept {
+  BaseAuto base;
+  base.adaptation = pose_adaptation;
+  base.path = arc.per_metre;
+  base.correction = deviation;
+  const LegSet support = executor.support();
+  LegArray<Vector3> p_BF(model.num_legs());
+  for (LegId i = 0; i < model.num_legs(); ++i) p_BF[i] = executor.legs()[i].p_BF;
+  base.max_advance = stability_left(support_polygon(p_BF, support), model.p_BM.head<2>(),
+                                    direction_at(arc, model.p_BM), params.stability_margin);
+  for (LegId i = 0; i < model.num_legs(); ++i) {
+    if (!support.contains(i)) continue;
+    const Vector2 offset = (p_BF[i] - model.legs[i].p_BC).head<2>();
+    base.max_advance = std::min(
+        base.max_advance, workspace_left(offset, direction_at(arc, p_BF[i]),
+                                         kUsableShare * model.legs[i].workspace_radius));
+  }
+  return base;
+}
+
+}  // namespace hexagait::footstep_gen

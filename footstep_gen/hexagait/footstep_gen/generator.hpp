@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <hexagait/core/executor.hpp>
+#include <hexagait/core/robot_state.hpp>
+#include <hexagait/gait_state/latch.hpp>
+#include <hexagait/heading_control/path_arc.hpp>
+
+namespace hexagait::footstep_gen {
+
+struct StepParams {
+  /// Path between two landings of one foot, at the outermost leg [m]. Longer is faster until the
+  /// workspaces end: half of it is the AEP's distance from the workspace centre.
+  double stroke = 0.20;
+  /// Clearance of the swing [m]. Higher steps up more and walks slower.
+  double height = 0.10;
+  /// Share of its workspace radius at which a leg's lag is urgent: the latch then lets go of its
+  /// adjusted relations.
+  double urgent_share = 0.8;
+  /// The base waits before its centre of mass comes closer than this to the edge of the support
+  /// polygon [m]. 0: crabbing at 45°, where the support triangle is narrow, tips the robot.
+  double stability_margin = 0.03;
+};
+
+/// Lag, urgency and ground contact of each leg: what the gait state decides by.
+[[nodiscard]] gait_state::GaitInput gait_input(const RobotModel& model,
+                                               const heading_control::PathArc& arc,
+                                               const Executor& executor,
+                                               const StepParams& params) noexcept;
+
+/// Path that the base will have advanced when every foot that is in the air now has come down on its
+/// AEP [m]: the arc-restricted posture optimum ([PC04] 4) of that moment.
+[[nodiscard]] double path_to_come(const heading_control::PathArc& arc, const Executor& executor,
+                                  const RobotState& state, double half_step) noexcept;
+
+/// The step of one leg: to its AEP ([PC04] eq. 3), taken along by the advance still to come, at the
+/// height of its last footprint.
+[[nodiscard]] Footstep footstep(const RobotModel& model, const heading_control::PathArc& arc,
+                                const RobotState& state, LegId leg, double half_step,
+                                double to_come, double height) noexcept;
+
+/// The base: along the path as a reaction to the legs ([PC04] 4), parallel to the ground under the
+/// feet, back to the commanded curve, and not beyond any support leg's workspace nor the edge of the
+/// support polygon.
+[[nodiscard]] BaseAuto base_auto(const RobotModel& model, const heading_control::PathArc& arc,
+                                 const Executor& executor, const PlanarTwist& deviation,
+                                 const StepParams& params) noexcept;
+
+}  // namespace hexagait::footstep_gen

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <hexagait/core/executor.hpp>
+#include <hexagait/core/plant.hpp>
+#include <hexagait/core/robot_state.hpp>
+#include <hexagait/gait_state/latch.hpp>
+#include <hexagait/heading_control/heading.hpp>
+#include <hexagait/heading_control/path_arc.hpp>
+
+namespace hexagait::footstep_gen {
+
+/// Why the walker stands still and will not move again until it is started anew.
+enum class Fault : std::uint8_t {
+  none,
+  bad_measurement,  ///< a joint position that is not finite, or the wrong number of legs
+  plant_late,       ///< no measurement for longer than the limit
+  plant_closed,     ///< the plant is gone
+  emergency_stop,   ///< asked for
+};
+
+[[nodiscard]] const char* to_string(Fault fault) noexcept;
+
+/// Everything that one tick computed, by the stage that computed it and in the order of the stages.
+/// Log, replay, viewer and "why does leg 3 not step?" are all this struct.
+struct TickRecord {
+  // plant → sense
+  Measurement measurement;     ///< as the plant gave it
+  Fault fault = Fault::none;   ///< not none: the stages below were skipped
+  bool holding = false;        ///< the measurement is late: all stands still
+  RobotState state;            ///< joints, feet, odometry
+
+  // heading_control
+  heading_control::Heading heading = heading_control::Heading::stop();  ///< the command
+  heading_control::PathArc arc;      ///< the command, bound to this robot's workspaces
+  PlanarTwist deviation;             ///< from the base back to the commanded curve [m, rad]
+
+  // gait_state
+  gait_state::GaitInput gait_input;
+  gait_state::GaitDecision gait;
+
+  // footstep_gen
+  LegSet lifts;                 ///< legs commanded to lift in this tick
+  LegSet rule1_violations;      ///< of those, with a neighbour not in support
+  double path_to_come = 0.0;    ///< advance still to come when all airborne feet stand [m of path]
+  LegArray<Footstep> footsteps; ///< the last one of each leg
+  BaseAuto base_auto;
+
+  // core
+  BaseGoal base_goal;
+  BaseLane base;
+  LegArray<LegLane> legs;
+  JointTargets targets;
+};
+
+}  // namespace hexagait::footstep_gen

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <hexagait/core/odometry.hpp>
+#include <hexagait/footstep_gen/generator.hpp>
+#include <hexagait/footstep_gen/tick_record.hpp>
+#include <hexagait/heading_control/path_tracker.hpp>
+
+namespace hexagait::footstep_gen {
+
+/// Which sensors the robot has. What is missing is assumed to go as planned.
+struct SensorMask {
+  bool joint_feedback = true;  ///< without: the targets count as measured
+  bool foot_contacts = true;   ///< without: the ground is where and when it was planned
+};
+
+struct WalkerParams {
+  double control_dt = 0.002;   ///< control period [s]
+  SensorMask sensors;
+  gait_state::GaitParams gait;
+  StepParams step;
+  ExecutorParams executor;
+  double late_limit = 0.1;     ///< without a measurement for longer, the walker stops for good [s]
+};
+
+/// The controller: what the robot senses and a heading go in, joint targets come out, once per
+/// control period. A value; tick() neither throws nor allocates.
+///
+/// The robot model must outlive the walker.
+class Walker {
+ public:
+  explicit Walker(const RobotModel& model, const WalkerParams& params = {});
+
+  /// Stands where the robot stands: all feet are taken to be on the ground.
+  void start(const Measurement& measurement);
+
+  /// One control period.
+  /// @param status  late: the measurement is ignored and the robot holds, after late_limit it stops
+  const TickRecord& tick(PlantStatus status, const Measurement& measurement,
+                         const heading_control::Heading& heading) noexcept;
+
+  /// Stops at once and for good: velocities zero, set points kept, until start().
+  void emergency_stop() noexcept { stop(Fault::emergency_stop); }
+
+  [[nodiscard]] const TickRecord& record() const { return record_; }
+  [[nodiscard]] const RobotModel& model() const { return *model_; }
+  [[nodiscard]] const WalkerParams& params() const { return params_; }
+
+ private:
+  bool healthy(PlantStatus status, const Measurement& measurement) noexcept;
+  void sense() noexcept;
+  void steer(const heading_control::Heading& heading) noexcept;
+  void decide() noexcept;
+  void command() noexcept;
+  void execute() noexcept;
+  void stop(Fault fault) noexcept;
+  [[nodiscard]] bool neighbour_off_ground(LegId leg) const noexcept;
+
+  const RobotModel* model_;
+  WalkerParams params_;
+  heading_control::Workspaces workspaces_;
+  Odometry odometry_;
+  heading_control::PathTracker tracker_;
+  gait_state::GaitLatch latch_;
+  Executor executor_;
+  double silence_ = 0.0;  ///< time since the last fresh measurement [s]
+  TickRecord record_;
+};
+
+}  // namespace hexagait::footstep_gen

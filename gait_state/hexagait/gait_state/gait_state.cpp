@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <hexagait/gait_state/gait_state.hpp>
+
+namespace hexagait::gait_state {
+namespace {
+
+RingBits priority_positions(const GaitState& state) noexcept {
+  return from_before(state.bits, state.n) & ~state.bits;
+}
+
+/// The lowest of the preferred candidates, else the lowest of all.
+RingBits chosen(RingBits candidates, RingBits preferred) noexcept {
+  const RingBits best = (candidates & preferred) != 0 ? candidates & preferred : candidates;
+  return best & (~best + 1U);
+}
+
+/// Middles of `> > <`, in each of which the later leg gains.
+RingBits raisable(const GaitState& state) noexcept {
+  return ~from_before(state.bits, state.n) & ~state.bits & from_after(state.bits, state.n);
+}
+
+/// Middles of `> < <`, in each of which the earlier leg gains.
+RingBits lowerable(const GaitState& state) noexcept {
+  return ~from_before(state.bits, state.n) & state.bits & from_after(state.bits, state.n);
+}
+
+}  // namespace
+
+LegSet priority_legs(const GaitState& state) noexcept {
+  return legs_at(priority_positions(state), state.n);
+}
+
+LegSet may_step(const GaitState& state, LegSet airborne) noexcept {
+  const int n = state.n;
+  const RingBits air = ring_bits(airborne, n);
+  const RingBits barred = air | from_before(air, n) | from_after(air, n);
+  return legs_at(priority_positions(state) & ~barred, n);
+}
+
+GaitType type_of(const GaitState& state) noexcept {
+  if (state.n != 6) return GaitType::none;
+  const RingBits priority = priority_positions(state);
+  const RingBits two_further = from_before(from_before(priority, 6), 6);
+  switch (std::popcount(priority)) {
+    case 1:
+      return GaitType::A;
+    case 2:
+      return (priority & two_further) != 0 ? GaitType::B : GaitType::C;
+    case 3:
+      return GaitType::D;
+    default:
+      return GaitType::none;
+  }
+}
+
+GaitState adjusted(GaitState state, int ccn) noexcept {
+  // Each round moves the CCN by one; without a candidate (cyclic, or out of reach) nothing moves.
+  for (int excess = state.ccn() - ccn; excess < 0; ++excess) {
+    state.bits |= chosen(raisable(state), kOddPositions);
+  }
+  for (int excess = state.ccn() - ccn; excess > 0; --excess) {
+    state.bits &= ~chosen(lowerable(state), kEvenPositions);
+  }
+  return state;
+}
+
+GaitState after_step(GaitState state, LegId leg) noexcept {
+  assert(priority_legs(state).contains(leg));
+  const RingBits after = 1U << position_of(leg, state.n);
+  state.bits &= ~from_after(after, state.n);
+  state.bits |= after;
+  return state;
+}
+
+std::string to_string(const GaitState& state) {
+  std::string text;
+  for (int k = 0; k < state.n; ++k) text += ((state.bits >> k) & 1U) != 0 ? '<' : '>';
+  return text;
+}
+
+std::optional<GaitState> parse_gait_state(std::string_view text) noexcept {
+  if (text.size() > kMaxLegs || !is_ring_size(static_cast<int>(text.size()))) return std::nullopt;
+  GaitState state{0, static_cast<int>(text.size())};
+  for (int k = 0; k < state.n; ++k) {
+    const char relation = text[static_cast<std::size_t>(k)];
+    if (relation != '<' && relation != '>') return std::nullopt;
+    if (relation == '<') state.bits |= 1U << k;
+  }
+  return state;
+}
+
+}  // namespace hexagait::gait_state

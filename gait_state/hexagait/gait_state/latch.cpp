@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <hexagait/gait_state/latch.hpp>
+
+namespace hexagait::gait_state {
+namespace {
+
+/// What the raw relations follow from. Edge k joins leg a at position k with leg b at the next one.
+struct EdgeFacts {
+  int n = 0;
+  RingBits a_lags = 0;  ///< δ_a − δ_b > ε
+  RingBits b_lags = 0;  ///< δ_b − δ_a > ε
+  RingBits a_airborne = 0;
+  RingBits b_airborne = 0;
+
+  RingBits both_on_ground() const noexcept { return ~(a_airborne | b_airborne); }
+  RingBits both_airborne() const noexcept { return a_airborne & b_airborne; }
+};
+
+EdgeFacts edge_facts(const GaitInput& input, double tolerance) noexcept {
+  EdgeFacts facts{.n = input.lag.size()};
+  facts.a_airborne = ring_bits(input.airborne, facts.n);
+  facts.b_airborne = from_after(facts.a_airborne, facts.n);
+  double lag_b = input.lag[0];
+  for (int k = facts.n - 1; k >= 0; --k) {
+    const double lag_a = input.lag[leg_at(k, facts.n)];
+    facts.a_lags |= RingBits{lag_a - lag_b > tolerance} << k;
+    facts.b_lags |= RingBits{lag_b - lag_a > tolerance} << k;
+    lag_b = lag_a;
+  }
+  return facts;
+}
+
+/// For each edge, a where `from_a`, else b.
+RingBits select(RingBits from_a, RingBits a, RingBits b) noexcept {
+  return (a & from_a) | (b & ~from_a);
+}
+
+GaitState fresh_relations(const EdgeFacts& facts) noexcept {
+  // Where b is of the first tripod it also wins ties.
+  const RingBits by_lag = select(kOddPositions, ~facts.a_lags, facts.b_lags);
+  const RingBits one_airborne = facts.a_airborne ^ facts.b_airborne;
+  return {select(one_airborne, facts.b_airborne, by_lag) & ring_mask(facts.n), facts.n};
+}
+
+/// The raw relations (gait 3) with hysteresis.
+GaitState raw_relations(const EdgeFacts& facts, const GaitLatch& before,
+                        const GaitState& fresh) noexcept {
+  // An edge has something to hold on to if both its legs stood at the last update too.
+  const RingBits was_airborne = ring_bits(before.airborne, facts.n);
+  const RingBits settled =
+      facts.both_on_ground() & ~was_airborne & ~from_after(was_airborne, facts.n);
+  const RingBits contradicted = select(before.raw.bits, facts.a_lags, facts.b_lags);
+  const RingBits kept = facts.both_airborne() | (settled & ~contradicted);
+  return {select(kept, before.raw.bits, fresh.bits), facts.n};
+}
+
+}  // namespace
+
+GaitState fresh_relations(const GaitInput& input, double tie_tolerance) noexcept {
+  return fresh_relations(edge_facts(input, tie_tolerance));
+}
+
+Combined combine(const LatchStep& step) noexcept {
+  const int n = step.raw_now.n;
+  const RingBits urgent = ring_bits(step.urgent, n);
+  const RingBits changed = step.raw_before.bits ^ step.raw_now.bits;
+  const RingBits reconsidered = changed | urgent | from_after(urgent, n);
+  const GaitState latched{select(reconsidered, step.raw_now.bits, step.stored.bits), n};
+  return latched.is_cyclic() ? Combined{step.fresh, true} : Combined{latched, false};
+}
+
+GaitDecision GaitLatch::update(const GaitInput& input, const GaitParams& params) noexcept {
+  const EdgeFacts facts = edge_facts(input, params.tie_tolerance);
+  const GaitState fresh = fresh_relations(facts);
+  if (raw.n != facts.n) *this = {fresh, fresh, input.airborne};
+
+  // Only the latch remembers more than raw relations.
+  const bool is_latched = params.adjustment == Adjustment::latched;
+  const GaitState raw_now = raw_relations(facts, *this, fresh);
+  const Combined combined = combine({.stored = is_latched ? stored : raw,
+                                     .raw_before = raw,
+                                     .raw_now = raw_now,
+                                     .fresh = fresh,
+                                     .urgent = input.urgent});
+  GaitDecision decision;
+  decision.raw = combined.was_cyclic ? fresh : raw_now;
+  decision.state = combined.state;
+  decision.ccn_before_adjustment = combined.state.ccn();
+  decision.was_cyclic = combined.was_cyclic;
+  if (params.adjustment != Adjustment::none) {
+    decision.state = adjusted(combined.state, facts.n / 2);
+  }
+  decision.priority = priority_legs(decision.state);
+  decision.may_step = gait_state::may_step(decision.state, input.airborne);
+
+  *this = {decision.state, decision.raw, input.airborne};
+  return decision;
+}
+
+}  // namespace hexagait::gait_state

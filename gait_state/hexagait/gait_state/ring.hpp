@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cassert>
+#include <cstdint>
+#include <hexagait/core/leg.hpp>
+
+/// The ring: the clockwise circuit around the robot, seen from above, in which neighbours are legs
+/// that must not be in the air together ([PC04] 3.1, Fig. 2).
+///
+///     position   0  1  2  3 …  n/2   n/2+1 …  n−2  n−1
+///     leg        0  1  3  5 …  n−1    n−2  …   4    2                                (gait 1)
+///
+/// Down the right side from the front, up the left one. Six legs stand in the order 0 1 3 5 4 2, in
+/// the paper's numbers 1 2 4 6 5 3. Every n here is even, 4 to 12.
+namespace hexagait::gait_state {
+
+/// One bit per ring position k: of the leg that stands there, or of the edge from it to the next.
+using RingBits = std::uint32_t;
+
+[[nodiscard]] constexpr bool is_ring_size(int n) noexcept {
+  return n % 2 == 0 && 4 <= n && n <= kMaxLegs;
+}
+
+/// @param position  0 … n − 1
+[[nodiscard]] constexpr LegId leg_at(int position, int n) noexcept {
+  assert(is_ring_size(n) && 0 <= position && position < n);
+  if (position == 0) return 0;
+  return 2 * position <= n ? 2 * position - 1 : 2 * (n - position);
+}
+
+/// Inverse of leg_at.
+[[nodiscard]] constexpr int position_of(LegId leg, int n) noexcept {
+  assert(is_ring_size(n) && 0 <= leg && leg < n);
+  if (leg % 2 == 1) return (leg + 1) / 2;
+  return leg == 0 ? 0 : n - leg / 2;
+}
+
+/// All positions, or all edges, of the ring.
+[[nodiscard]] constexpr RingBits ring_mask(int n) noexcept { return (1U << n) - 1U; }
+
+/// Bit k of the result is bit k − 1: what holds of the one before, counter-clockwise.
+[[nodiscard]] constexpr RingBits from_before(RingBits bits, int n) noexcept {
+  return ((bits << 1) | (bits >> (n - 1))) & ring_mask(n);
+}
+
+/// Bit k of the result is bit k + 1: what holds of the one after, clockwise.
+[[nodiscard]] constexpr RingBits from_after(RingBits bits, int n) noexcept {
+  return ((bits >> 1) | (bits << (n - 1))) & ring_mask(n);
+}
+
+[[nodiscard]] constexpr RingBits ring_bits(LegSet legs, int n) noexcept {
+  RingBits bits = 0;
+  for (int k = 0; k < n; ++k) bits |= ((legs.bits() >> leg_at(k, n)) & 1U) << k;
+  return bits;
+}
+
+/// Inverse of ring_bits.
+[[nodiscard]] constexpr LegSet legs_at(RingBits bits, int n) noexcept {
+  std::uint32_t legs = 0;
+  for (int k = 0; k < n; ++k) legs |= ((bits >> k) & 1U) << leg_at(k, n);
+  return LegSet(legs);
+}
+
+/// The two neighbours of a leg.
+struct Neighbours {
+  LegId before = 0;  ///< counter-clockwise
+  LegId after = 0;   ///< clockwise
+};
+
+[[nodiscard]] constexpr Neighbours neighbours_of(LegId leg, int n) noexcept {
+  const int k = position_of(leg, n);
+  return {leg_at(k == 0 ? n - 1 : k - 1, n), leg_at(k == n - 1 ? 0 : k + 1, n)};
+}
+
+/// Every leg that has a neighbour in `legs`; members of `legs` themselves only if that is so.
+[[nodiscard]] constexpr LegSet neighbours_of(LegSet legs, int n) noexcept {
+  const RingBits ring = ring_bits(legs, n);
+  return legs_at(from_before(ring, n) | from_after(ring, n), n);
+}
+
+/// [PC04] rule 1: never two neighbours off the ground at the same time.
+[[nodiscard]] constexpr bool breaks_rule_1(LegSet airborne, int n) noexcept {
+  const RingBits ring = ring_bits(airborne, n);
+  return (ring & from_after(ring, n)) != 0;
+}
+
+/// Positions 0, 2, 4, …; as edges, those whose earlier leg belongs to the first tripod.
+inline constexpr RingBits kEvenPositions = 0x555U;
+/// Positions 1, 3, 5, …; as edges, those whose later leg belongs to the first tripod.
+inline constexpr RingBits kOddPositions = 0xAAAU;
+
+/// Every other leg of the ring, beginning with leg 0: for six legs 0 3 4 (1, 4, 5 in [PC04]), who
+/// win ties. Of two neighbours exactly one belongs to it.
+[[nodiscard]] constexpr LegSet first_tripod(int n) noexcept {
+  return legs_at(kEvenPositions & ring_mask(n), n);
+}
+
+/// The others: for six legs 1 2 5 (2, 3, 6 in [PC04]).
+[[nodiscard]] constexpr LegSet second_tripod(int n) noexcept {
+  return legs_at(kOddPositions & ring_mask(n), n);
+}
+
+}  // namespace hexagait::gait_state

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <hexagait/sim3d/detail/contacts.hpp>
+
+namespace hexagait::sim3d::detail {
+
+double Touch::normal_force() const { return std::max(0.0, from_ode(feedback.f1).dot(normal)); }
+
+Vector3 Touch::slip_velocity() const {
+  const Vector3 v_M = from_ode(dBodyGetLinearVel(shape->body));
+  const Vector3 w = from_ode(dBodyGetAngularVel(shape->body));
+  const Vector3 v_P = v_M + w.cross(p_MP_W);
+  return v_P - v_P.dot(normal) * normal;
+}
+
+Contacts::Contacts(dWorldID world, const WorldParams& params)
+    : world_(world), joints_(dJointGroupCreate(0)) {
+  surface_.mode = dContactApprox1 | dContactSoftERP | dContactSoftCFM;
+  surface_.mu = params.friction;
+  surface_.soft_erp = params.contact_erp;
+  surface_.soft_cfm = params.contact_cfm;
+}
+
+void Contacts::find(Ground& ground, std::span<const RobotShape> shapes) {
+  dJointGroupEmpty(joints_.get());
+  count_ = 0;
+  std::array<dContactGeom, kMostContacts> places;
+  for (const RobotShape& shape : shapes) {
+    const std::span room = std::span(places).first(kMostContacts - count_);
+    const auto found = static_cast<std::size_t>(ground.collide(shape.geom.get(), room));
+    for (const dContactGeom& place : room.first(found)) add(shape, place);
+  }
+}
+
+std::span<const Touch> Contacts::touches() const { return std::span(touches_).first(count_); }
+
+void Contacts::add(const RobotShape& shape, const dContactGeom& place) {
+  dContact contact{};
+  contact.surface = surface_;
+  contact.geom = place;
+  const dJointID joint = dJointCreateContact(world_, joints_.get(), &contact);
+  dJointAttach(joint, shape.body, nullptr);
+
+  Touch& touch = touches_[count_++];
+  touch.shape = &shape;
+  touch.p_MP_W = from_ode(place.pos) - from_ode(dBodyGetPosition(shape.body));
+  touch.normal = from_ode(place.normal);
+  dJointSetFeedback(joint, &touch.feedback);
+}
+
+}  // namespace hexagait::sim3d::detail

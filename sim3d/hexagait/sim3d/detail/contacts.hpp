@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <hexagait/sim3d/detail/ground.hpp>
+#include <hexagait/sim3d/detail/robot.hpp>
+#include <span>
+
+namespace hexagait::sim3d::detail {
+
+/// A place where a shape of the robot touches the ground, for one physics step.
+struct Touch {
+  const RobotShape* shape = nullptr;
+  Vector3 p_MP_W;  ///< from the body's centre of mass to the contact point, world axes [m]
+  Vector3 normal;  ///< out of the ground
+  dJointFeedback feedback;
+
+  /// After the step: how hard the ground pushes [N].
+  [[nodiscard]] double normal_force() const;
+
+  /// After the step: velocity of the body's material at the contact point, along the ground [m/s].
+  [[nodiscard]] Vector3 slip_velocity() const;
+};
+
+/// The contacts between robot and ground in the current physics step.
+class Contacts {
+ public:
+  Contacts(dWorldID world, const WorldParams& params);
+  Contacts(const Contacts&) = delete;
+  Contacts& operator=(const Contacts&) = delete;
+
+  /// Replaces the contacts by those of the shapes where they are now.
+  void find(Ground& ground, std::span<const RobotShape> shapes);
+
+  [[nodiscard]] std::span<const Touch> touches() const;
+
+ private:
+  // A robot that has fallen flat needs about 60; contacts beyond this number are left out.
+  static constexpr std::size_t kMostContacts = 128;
+
+  void add(const RobotShape& shape, const dContactGeom& place);
+
+  dWorldID world_;
+  dSurfaceParameters surface_{};
+  JointGroupPtr joints_;
+  std::array<Touch, kMostContacts> touches_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace hexagait::sim3d::detail

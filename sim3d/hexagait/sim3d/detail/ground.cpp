@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <hexagait/sim3d/detail/ground.hpp>
+
+namespace hexagait::sim3d::detail {
+namespace {
+
+constexpr double kDepth = 2.0;      // of a box, and of the ground under a heightfield [m]
+constexpr int kPatchSamples = 257;  // along an edge of the heightfield patch
+
+}  // namespace
+
+Ground::Ground(const Terrain& terrain) : terrain_(terrain) {
+  switch (terrain.spec().kind) {
+    case TerrainSpec::Kind::flat:
+      geom_.reset(dCreatePlane(nullptr, 0, 0, 1, 0));
+      break;
+    case TerrainSpec::Kind::boxes:
+      geom_.reset(dCreateBox(nullptr, terrain.spec().cell, terrain.spec().cell, kDepth));
+      break;
+    case TerrainSpec::Kind::steps:
+      create_heightfield();
+      break;
+  }
+}
+
+int Ground::collide(dGeomID geom, std::span<dContactGeom> contacts) {
+  // Most shapes are above everything that the terrain has.
+  Aabb aabb;
+  dGeomGetAABB(geom, aabb.data());
+  if (aabb[4] > terrain_.spec().height) return 0;
+
+  switch (terrain_.spec().kind) {
+    case TerrainSpec::Kind::flat:
+      return collide_pair(geom, contacts);
+    case TerrainSpec::Kind::boxes:
+      return collide_boxes(geom, aabb, contacts);
+    case TerrainSpec::Kind::steps:
+      return collide_patch(geom, aabb, contacts);
+  }
+  return 0;
+}
+
+int Ground::collide_pair(dGeomID geom, std::span<dContactGeom> contacts) {
+  const int room = std::min(static_cast<int>(contacts.size()), kContactsPerPair);
+  if (room == 0) return 0;
+  return dCollide(geom, geom_.get(), room, contacts.data(), sizeof(dContactGeom));
+}
+
+int Ground::collide_boxes(dGeomID geom, const Aabb& aabb, std::span<dContactGeom> contacts) {
+  const double cell = terrain_.spec().cell;
+  const int i_last = terrain_.cell_index(aabb[1]), j_last = terrain_.cell_index(aabb[3]);
+  int count = 0;
+
+  // One box, put up in each cell under the shape in turn.
+  for (int i = terrain_.cell_index(aabb[0]); i <= i_last; ++i) {
+    for (int j = terrain_.cell_index(aabb[2]); j <= j_last; ++j) {
+      const double level = terrain_.level(i, j);
+      if (aabb[4] > level) continue;
+      dGeomSetPosition(geom_.get(), (i + 0.5) * cell, (j + 0.5) * cell, level - 0.5 * kDepth);
+      count += collide_pair(geom, contacts.subspan(static_cast<std::size_t>(count)));
+    }
+  }
+  return count;
+}
+
+int Ground::collide_patch(dGeomID geom, const Aabb& aabb, std::span<dContactGeom> contacts) {
+  // The patch of samples, centred on the shape.
+  const double spacing = terrain_.sample_spacing();
+  const auto nearest = [spacing](double x) { return static_cast<int>(std::floor(x / spacing)); };
+  patch_a_ = nearest(0.5 * (aabb[0] + aabb[1])) - kPatchSamples / 2;
+  patch_b_ = nearest(0.5 * (aabb[2] + aabb[3])) - kPatchSamples / 2;
+
+  const double to_middle = 0.5 + 0.5 * (kPatchSamples - 1);
+  dGeomSetPosition(geom_.get(), (patch_a_ + to_middle) * spacing, (patch_b_ + to_middle) * spacing,
+                   0.0);
+  return collide_pair(geom, contacts);
+}
+
+void Ground::create_heightfield() {
+  const double edge = (kPatchSamples - 1) * terrain_.sample_spacing();
+  heightfield_data_.reset(dGeomHeightfieldDataCreate());
+  dGeomHeightfieldDataBuildCallback(heightfield_data_.get(), this, &Ground::patch_height, edge,
+                                    edge, kPatchSamples, kPatchSamples, 1.0, 0.0, kDepth, 0);
+  dGeomHeightfieldDataSetBounds(heightfield_data_.get(), 0.0, terrain_.spec().height);
+
+  // ODE's heightfields have y up: turn y to z, and z to −y.
+  geom_.reset(dCreateHeightfield(nullptr, heightfield_data_.get(), 1));
+  const Matrix3 upright = (Matrix3() << 1, 0, 0, 0, 0, -1, 0, 1, 0).finished();
+  dGeomSetRotation(geom_.get(), OdeRotation(upright).m.data());
+}
+
+dReal Ground::patch_height(void* ground, int column, int row) {
+  const Ground& self = *static_cast<const Ground*>(ground);
+  return self.terrain_.sample(self.patch_a_ + column, self.patch_b_ + kPatchSamples - 1 - row);
+}
+
+}  // namespace hexagait::sim3d::detail

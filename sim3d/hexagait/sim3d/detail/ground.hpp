@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <hexagait/sim3d/detail/ode.hpp>
+#include <hexagait/sim3d/terrain.hpp>
+#include <span>
+
+namespace hexagait::sim3d::detail {
+
+/// The terrain as something that ODE's shapes can touch.
+///
+/// There is no scenery: one plane, box or heightfield patch is put where a shape of the robot is,
+/// at the moment of asking. So the ground has no edge and costs nothing where nothing is near.
+class Ground {
+ public:
+  explicit Ground(const Terrain& terrain);
+  Ground(const Ground&) = delete;
+  Ground& operator=(const Ground&) = delete;
+
+  /// Contacts of `geom` with the ground, normals pointing out of the ground.
+  /// @param contacts  where to put them; at most kContactsPerPair for each box or patch touched
+  /// @returns how many were put
+  int collide(dGeomID geom, std::span<dContactGeom> contacts);
+
+  [[nodiscard]] const Terrain& terrain() const { return terrain_; }
+
+  static constexpr int kContactsPerPair = 4;
+
+ private:
+  using Aabb = std::array<dReal, 6>;  // min x, max x, min y, …
+
+  void create_heightfield();
+  int collide_pair(dGeomID geom, std::span<dContactGeom> contacts);
+  int collide_boxes(dGeomID geom, const Aabb& aabb, std::span<dContactGeom> contacts);
+  int collide_patch(dGeomID geom, const Aabb& aabb, std::span<dContactGeom> contacts);
+  static dReal patch_height(void* ground, int column, int row);
+
+  Terrain terrain_;
+  int patch_a_ = 0, patch_b_ = 0;  // terrain sample at the heightfield patch's lowest corner
+  HeightfieldDataPtr heightfield_data_;
+  GeomPtr geom_;
+};
+
+}  // namespace hexagait::sim3d::detail

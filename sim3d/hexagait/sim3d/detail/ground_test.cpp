@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <hexagait/core/random.hpp>
+#include <hexagait/sim3d/detail/ground.hpp>
+
+namespace hexagait::sim3d::detail {
+namespace {
+
+constexpr std::array kKinds = {TerrainSpec::Kind::flat, TerrainSpec::Kind::boxes,
+                               TerrainSpec::Kind::steps};
+
+class GroundOfKind : public testing::TestWithParam<TerrainSpec::Kind> {
+ protected:
+  GroundOfKind() { initialise_ode(); }
+};
+
+// The geometry that ODE meets and the function that others ask are two descriptions of one ground.
+TEST_P(GroundOfKind, IsMetByARayAtTheHeightOfTheTerrain) {
+  Ground ground(Terrain({GetParam(), 0.3}, 17));
+  const GeomPtr ray(dCreateRay(nullptr, 10.0));
+  RandomSequence random{.seed = 4};
+  for (int k = 0; k < 2000; ++k) {
+    const double extent = k % 2 == 0 ? 2.0 : 1000.0;
+    const double x = random.uniform(-extent, extent), y = random.uniform(-extent, extent);
+    dGeomRaySet(ray.get(), x, y, 5.0, 0.0, 0.0, -1.0);
+
+    std::array<dContactGeom, 8> contacts;
+    ASSERT_EQ(ground.collide(ray.get(), contacts), 1) << x << " " << y;
+    EXPECT_NEAR(contacts[0].pos[2], ground.terrain().height_at(x, y), 1e-9) << x << " " << y;
+  }
+}
+
+// A ball of radius r whose centre is at height r − d above level ground goes d deep, and the ground
+// pushes it upwards.
+TEST_P(GroundOfKind, PushesABallUpwards) {
+  Ground ground(Terrain({GetParam(), 0.3}, 17));
+  const GeomPtr ball(dCreateSphere(nullptr, 0.02));
+  for (int k = 0; k < 50; ++k) {
+    const double x = 0.3 * k + 0.15, y = -0.3 * k + 0.15;
+    dGeomSetPosition(ball.get(), x, y, ground.terrain().height_at(x, y) + 0.019);
+    std::array<dContactGeom, 8> contacts;
+    ASSERT_EQ(ground.collide(ball.get(), contacts), 1);
+    EXPECT_NEAR(contacts[0].depth, 0.001, 1e-12);
+    EXPECT_NEAR(contacts[0].normal[2], 1.0, 1e-12);
+
+    dGeomSetPosition(ball.get(), x, y, ground.terrain().height_at(x, y) + 0.0201);
+    EXPECT_EQ(ground.collide(ball.get(), contacts), 0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, GroundOfKind, testing::ValuesIn(kKinds));
+
+// The start pad ends at x = 0.6. A ball on the pad, 1 mm into the face of a higher cell there, is
+// pushed back along −x by the face and up by the pad.
+TEST(Ground, OfBoxesHasVerticalFaces) {
+  initialise_ode();
+  const Terrain terrain({TerrainSpec::Kind::boxes, 0.3}, 17);
+  ASSERT_GT(terrain.level(2, 0), 0.02);
+  Ground ground(terrain);
+  const GeomPtr ball(dCreateSphere(nullptr, 0.02));
+  dGeomSetPosition(ball.get(), 0.581, 0.15, 0.019);
+  std::array<dContactGeom, 8> contacts;
+  ASSERT_EQ(ground.collide(ball.get(), contacts), 2);
+  EXPECT_NEAR(contacts[0].normal[2], 1.0, 1e-12);
+  EXPECT_NEAR(contacts[1].normal[0], -1.0, 1e-12);
+  EXPECT_NEAR(contacts[1].depth, 0.001, 1e-12);
+}
+
+TEST(Ground, PutsNoMoreContactsThanThereIsRoomFor) {
+  initialise_ode();
+  Ground ground(Terrain({TerrainSpec::Kind::boxes, 0.0}, 1));
+  const GeomPtr box(dCreateBox(nullptr, 1.0, 1.0, 0.1));
+  std::array<dContactGeom, 64> contacts;
+  EXPECT_GT(ground.collide(box.get(), contacts), 8);
+  EXPECT_EQ(ground.collide(box.get(), std::span(contacts).first(3)), 3);
+  EXPECT_EQ(ground.collide(box.get(), std::span(contacts).first(0)), 0);
+}
+
+}  // namespace
+}  // namespace hexagait::sim3d::detail

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <hexagait/core/kinematics.hpp>
+#include <hexagait/sim3d/detail/robot.hpp>
+
+namespace hexagait::sim3d::detail {
+namespace {
+
+// A body beyond these has been thrown by diverging physics. ODE would abort before it gave us a
+// NaN.
+constexpr double kFarthest = 1e6;  // [m]
+constexpr double kFastest = 1e4;   // [m/s], [rad/s]
+
+constexpr double kSamePlace = 1e-6;  // [m]
+constexpr double kNearLimit = 0.8;   // of a servo's effort limit: see Robot::step()
+
+void place(dBodyID body, const Pose& X_WL, const Vector3& p_LM) {
+  const Vector3 p_WM = X_WL * p_LM;
+  dBodySetPosition(body, p_WM.x(), p_WM.y(), p_WM.z());
+  dBodySetRotation(body, OdeRotation(X_WL.R).m.data());
+}
+
+Pose pose_of(dBodyID body, const Vector3& p_LM) {
+  const Matrix3 R = rotation_from_ode(dBodyGetRotation(body));
+  return {R, from_ode(dBodyGetPosition(body)) - R * p_LM};
+}
+
+// A slim cylinder becomes the capsule inside it: exact contacts, and only its rims are lost.
+dGeomID make_geom(const Shape& shape) {
+  const Vector3& size = shape.size;
+  switch (shape.kind) {
+    case Shape::Kind::box:
+      return dCreateBox(nullptr, size.x(), size.y(), size.z());
+    case Shape::Kind::sphere:
+      return dCreateSphere(nullptr, size.x());
+    case Shape::Kind::cylinder:
+      if (size.y() > 2.0 * size.x()) {
+        return dCreateCapsule(nullptr, size.x(), size.y() - 2.0 * size.x());
+      }
+      return dCreateCylinder(nullptr, size.x(), size.y());
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+bool is_foot(const Shape& shape, const LegModel& leg) {
+  const Vector3 p_BS0 = leg.links[2].X_BL0 * shape.X_LS.p;
+  return shape.kind == Shape::Kind::sphere && (p_BS0 - leg.p_BF0).norm() < kSamePlace;
+}
+
+Robot::Robot(dWorldID world, const RobotModel& model, const WorldParams& params, const Pose& X_WB,
+             const LegArray<LegJoints>& q)
+    : world_(world),
+      h_(params.physics_dt),
+      model_(model),
+      servos_(params, q),
+      links_(model.num_legs()) {
+  base_ = make_link(model.base, X_WB);
+  make_shapes(model.base, base_);
+  if (params.base_on_stand) dBodySetKinematic(base_.body);
+
+  // Hinges read zero where they are made: make them in the zero configuration, then move the legs.
+  for (LegId leg = 0; leg < model.num_legs(); ++leg) {
+    make_leg(leg, X_WB);
+    move_leg_to(leg, X_WB, q[leg]);
+  }
+}
+
+Robot::Link Robot::make_link(const LinkModel& model, const Pose& X_WB) {
+  const Matrix3& I = model.inertia_M_L;
+  dMass mass;
+  dMassSetParameters(&mass, model.mass, 0, 0, 0, I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2),
+                     I(1, 2));
+  const Link link{dBodyCreate(world_), model.p_LM};
+  dBodySetMass(link.body, &mass);
+  place(link.body, X_WB * model.X_BL0, link.p_LM);
+  bodies_.push_back(link.body);
+  saved_.emplace_back();
+  return link;
+}
+
+void Robot::make_shapes(const LinkModel& model, const Link& link) {
+  for (const Shape& shape : model.shapes) {
+    GeomPtr geom(make_geom(shape));
+    dGeomSetBody(geom.get(), link.body);
+    const Vector3 p_MS = shape.X_LS.p - link.p_LM;
+    dGeomSetOffsetPosition(geom.get(), p_MS.x(), p_MS.y(), p_MS.z());
+    dGeomSetOffsetRotation(geom.get(), OdeRotation(shape.X_LS.R).m.data());
+    shapes_.push_back({std::move(geom), link.body});
+  }
+}
+
+void Robot::make_leg(LegId leg, const Pose& X_WB) {
+  const LegModel& model = model_.legs[leg];
+  dBodyID parent = base_.body;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Link link = links_[leg][k] = make_link(model.links[k], X_WB);
+    make_shapes(model.links[k], link);
+
+    // Child first: the hinge then turns positively about the joint's axis.
+    const dJointID hinge = dJointCreateHinge(world_, nullptr);
+    dJointAttach(hinge, link.body, parent);
+    const Vector3 anchor = X_WB * model.p_BJ0[k], axis = X_WB.R * model.axis_B0[k];
+    dJointSetHingeAnchor(hinge, anchor.x(), anchor.y(), anchor.z());
+    dJointSetHingeAxis(hinge, axis.x(), axis.y(), axis.z());
+    servos_.add(hinge, leg, static_cast<Eigen::Index>(k), model.limits[k]);
+    parent = link.body;
+  }
+
+  // The tibia's shapes came last.
+  const std::vector<Shape>& tibia = model.links[2].shapes;
+  for (std::size_t i = 0; i < tibia.size(); ++i) {
+    if (is_foot(tibia[i], model)) shapes_[shapes_.size() - tibia.size() + i].foot_of = leg;
+  }
+}
+
+void Robot::move_leg_to(LegId leg, const Pose& X_WB, const LegJoints& q) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Link& link = links_[leg][k];
+    place(link.body, X_WB * link_pose(model_.legs[leg], static_cast<int>(k), q), link.p_LM);
+  }
+}
+
+// The solver spends most of its time on rows with bounds, and servos are hardly ever at their
+// limits. So only those that were near theirs in the last step get a bound. If another one then
+// turns out to exceed its limit, the step is taken back and done again with all bounds. A solution
+// in which no bound is active is the solution with these bounds too: this changes the time taken,
+// nothing else.
+void Robot::step(double age) {
+  servos_.command(age);
+  servos_.bound(kNearLimit);
+  save_bodies();
+  dWorldStep(world_, h_);
+  servos_.read_efforts();
+
+  if (servos_.some_effort_too_large()) {
+    restore_bodies();
+    servos_.bound(0.0);
+    dWorldStep(world_, h_);
+    servos_.read_efforts();
+  }
+  servos_.read_positions();
+}
+
+void Robot::save_bodies() {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    BodyState& state = saved_[i];
+    state.p = from_ode(dBodyGetPosition(bodies_[i]));
+    state.v = from_ode(dBodyGetLinearVel(bodies_[i]));
+    state.w = from_ode(dBodyGetAngularVel(bodies_[i]));
+    std::copy_n(dBodyGetQuaternion(bodies_[i]), 4, state.rotation.begin());
+  }
+}
+
+void Robot::restore_bodies() {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const BodyState& state = saved_[i];
+    dBodySetPosition(bodies_[i], state.p.x(), state.p.y(), state.p.z());
+    dBodySetLinearVel(bodies_[i], state.v.x(), state.v.y(), state.v.z());
+    dBodySetAngularVel(bodies_[i], state.w.x(), state.w.y(), state.w.z());
+    dBodySetQuaternion(bodies_[i], state.rotation.data());
+  }
+}
+
+Pose Robot::X_WB() const { return pose_of(base_.body, base_.p_LM) * model_.base.X_BL0.inverse(); }
+
+Twist Robot::V_WB() const {
+  const Pose X = X_WB();
+  const Vector3 w_W = from_ode(dBodyGetAngularVel(base_.body));
+  const Vector3 p_MB_W = X.p - from_ode(dBodyGetPosition(base_.body));
+  const Vector3 v_W = from_ode(dBodyGetLinearVel(base_.body)) + w_W.cross(p_MB_W);
+  return {X.R.transpose() * v_W, X.R.transpose() * w_W};
+}
+
+Vector3 Robot::p_WF(LegId leg) const {
+  const Link& tibia = links_[leg][2];
+  const LegModel& model = model_.legs[leg];
+  return pose_of(tibia.body, tibia.p_LM) * (model.links[2].X_BL0.inverse() * model.p_BF0);
+}
+
+bool Robot::is_sane() const {
+  const auto within = [](const dReal* v, double bound) { return from_ode(v).norm() < bound; };
+  return std::ranges::all_of(bodies_, [&](dBodyID body) {
+    return within(dBodyGetPosition(body), kFarthest) && within(dBodyGetLinearVel(body), kFastest) &&
+           within(dBodyGetAngularVel(body), kFastest);
+  });
+}
+
+}  // namespace hexagait::sim3d::detail

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <hexagait/core/random.hpp>
+#include <hexagait/core/robot_model.hpp>
+#include <hexagait/sim3d/terrain.hpp>
+
+namespace hexagait::sim3d {
+namespace {
+
+constexpr int kPadCells = 2;  // the start pad covers cells −2 … 1 of both axes
+
+struct Unit {
+  std::string_view name;
+  double metres;
+};
+constexpr std::array<Unit, 4> kUnits = {{{"", 1.0}, {"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}}};
+
+[[noreturn]] void refuse(std::string_view text, const std::string& reason) {
+  std::string message = "terrain \"";
+  message.append(text).append("\": ").append(reason).append("; known terrains:");
+  for (const TerrainDescription& known : known_terrains()) {
+    message.append(" ").append(known.syntax);
+  }
+  throw InvalidInput(message + ", with H a height such as 0.10 or 10cm");
+}
+
+double parse_height(std::string_view text, std::string_view height) {
+  double value = 0.0;
+  const char* const end = height.data() + height.size();
+  const auto [rest, error] = std::from_chars(height.data(), end, value);
+  if (error != std::errc{}) refuse(text, "\"" + std::string(height) + "\" is not a height");
+
+  const std::string_view unit(rest, static_cast<std::size_t>(end - rest));
+  for (const Unit& known : kUnits) {
+    if (known.name != unit) continue;
+    const double metres = value * known.metres;
+    if (!std::isfinite(metres)) refuse(text, "the height must be finite");
+    if (metres < 0.0) refuse(text, "the height must not be negative");
+    return metres;
+  }
+  refuse(text, "unknown unit \"" + std::string(unit) + "\", it should be m, cm or mm");
+}
+
+int floor_divide(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
+
+}  // namespace
+
+const std::vector<TerrainDescription>& known_terrains() {
+  static const std::vector<TerrainDescription> known = {
+      {"flat", "the plane z = 0"},
+      {"boxes:H", "0.3 m cells at random levels from 0 to H, with vertical faces between them"},
+      {"steps:H", "the same levels as a heightfield: 25 mm wide ramps instead of vertical faces"},
+  };
+  return known;
+}
+
+TerrainSpec parse_terrain(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  const std::string_view kind = text.substr(0, colon);
+  if (text == "flat") return {};
+  if (kind != "boxes" && kind != "steps") refuse(text, "unknown kind");
+  if (colon == std::string_view::npos) refuse(text, "the height is missing");
+
+  TerrainSpec spec;
+  spec.kind = kind == "boxes" ? TerrainSpec::Kind::boxes : TerrainSpec::Kind::steps;
+  spec.height = parse_height(text, text.substr(colon + 1));
+  return spec;
+}
+
+std::string to_string(const TerrainSpec& spec) {
+  if (spec.kind == TerrainSpec::Kind::flat) return "flat";
+  std::array<char, 32> digits{};
+  const auto [end, error] =
+      std::to_chars(digits.data(), digits.data() + digits.size(), spec.height);
+  const std::string kind = spec.kind == TerrainSpec::Kind::boxes ? "boxes:" : "steps:";
+  return kind + std::string(digits.data(), end);
+}
+
+Terrain::Terrain(const TerrainSpec& spec, std::uint64_t seed) : spec_(spec), seed_(seed) {
+  if (!(spec.height >= 0.0) || !std::isfinite(spec.height)) {
+    throw InvalidInput("terrain height " + std::to_string(spec.height) +
+                       " m: must be finite and not negative");
+  }
+  if (!(spec.cell > 0.0) || !std::isfinite(spec.cell)) {
+    throw InvalidInput("terrain cell " + std::to_string(spec.cell) +
+                       " m: must be finite and positive");
+  }
+}
+
+double Terrain::level(int i, int j) const {
+  const auto on_pad = [](int k) { return -kPadCells <= k && k < kPadCells; };
+  if (spec_.kind == TerrainSpec::Kind::flat || (on_pad(i) && on_pad(j))) return 0.0;
+
+  // The pair of indices is the draw: every cell of the plane has a number of its own.
+  const std::uint64_t high = static_cast<std::uint32_t>(i), low = static_cast<std::uint32_t>(j);
+  return spec_.height * random_u01(seed_, RandomStream::terrain, 0, (high << 32) | low);
+}
+
+int Terrain::cell_index(double coordinate) const {
+  return static_cast<int>(std::floor(coordinate / spec_.cell));
+}
+
+double Terrain::height_at(double x, double y) const {
+  if (spec_.kind == TerrainSpec::Kind::steps) return heightfield_at(x, y);
+  return level(cell_index(x), cell_index(y));
+}
+
+double Terrain::sample(int a, int b) const {
+  return level(floor_divide(a, kSamplesPerCell), floor_divide(b, kSamplesPerCell));
+}
+
+double Terrain::heightfield_at(double x, double y) const {
+  // Position within the square of four samples, u and v in [0, 1).
+  const double s = x / sample_spacing() - 0.5, t = y / sample_spacing() - 0.5;
+  const int a = static_cast<int>(std::floor(s)), b = static_cast<int>(std::floor(t));
+  const double u = s - a, v = t - b;
+
+  // Two triangles, split along the diagonal from (a, b) to (a+1, b+1).
+  const double near = sample(a, b), far = sample(a + 1, b + 1);
+  if (u >= v) {
+    const double corner = sample(a + 1, b);
+    return near + (corner - near) * u + (far - corner) * v;
+  }
+  const double corner = sample(a, b + 1);
+  return near + (corner - near) * v + (far - corner) * u;
+}
+
+}  // namespace hexagait::sim3d

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <hexagait/core/kinematics.hpp>
+#include <hexagait/sim3d/detail/check.hpp>
+#include <hexagait/sim3d/detail/contacts.hpp>
+#include <hexagait/sim3d/detail/ground.hpp>
+#include <hexagait/sim3d/detail/robot.hpp>
+#include <hexagait/sim3d/world.hpp>
+#include <limits>
+
+namespace hexagait::sim3d {
+namespace {
+
+using detail::RobotShape;
+using detail::Touch;
+
+detail::WorldPtr make_ode_world(const WorldParams& params, dThreadingImplementationID threading) {
+  detail::WorldPtr world(dWorldCreate());
+  dWorldSetStepThreadingImplementation(world.get(), dThreadingImplementationGetFunctions(threading),
+                                       threading);
+  dWorldSetGravity(world.get(), 0, 0, -params.gravity);
+  dWorldSetERP(world.get(), params.hinge_erp);
+  dWorldSetCFM(world.get(), params.hinge_cfm);
+  dWorldSetContactMaxCorrectingVel(world.get(), params.contact_correcting_speed);
+  dWorldSetAutoDisableFlag(world.get(), 0);
+  return world;
+}
+
+// Level, where it is to start, with the lowest foot just above the ground.
+Pose start_pose(const RobotModel& model, const Terrain& terrain, const WorldParams& params,
+                const LegArray<LegJoints>& q) {
+  Pose X_WB{rotation_z(params.start.angle), Vector3::Zero()};
+  X_WB.p.head<2>() = params.start.shift;
+  double z = -std::numeric_limits<double>::infinity();
+  for (LegId leg = 0; leg < model.num_legs(); ++leg) {
+    const Vector3 p_WF = X_WB * foot_position(model.legs[leg], q[leg]);
+    z = std::max(z, terrain.height_at(p_WF.x(), p_WF.y()) + model.foot_radius - p_WF.z());
+  }
+  X_WB.p.z() = z + params.start_clearance;
+  return X_WB;
+}
+
+bool all_finite(const JointTargets& targets) {
+  const auto finite = [](const LegJoints& joints) { return joints.allFinite(); };
+  return std::ranges::all_of(targets.q, finite) && std::ranges::all_of(targets.qd, finite) &&
+         std::ranges::all_of(targets.effort, finite);
+}
+
+// What the contacts of one step of length h say about the feet. A foot on an edge has several
+// contacts: their forces add, and the most loaded one says how it slips.
+void record_contacts(std::span<const Touch> touches, double h, GroundTruth& truth) {
+  LegArray<double> largest(truth.feet.size(), 0.0);
+  LegArray<Vector3> slip_velocity(truth.feet.size(), Vector3::Zero());
+  for (FootTruth& foot : truth.feet) foot.normal_force = 0.0;
+  truth.body_touches_ground = false;
+
+  for (const Touch& touch : touches) {
+    const LegId leg = touch.shape->foot_of;
+    if (leg == RobotShape::kNotAFoot) {
+      truth.body_touches_ground = true;
+      continue;
+    }
+    const double force = touch.normal_force();
+    truth.feet[leg].normal_force += force;
+    if (force > largest[leg]) {
+      largest[leg] = force;
+      slip_velocity[leg] = touch.slip_velocity();
+    }
+  }
+
+  for (LegId leg = 0; leg < truth.feet.size(); ++leg) {
+    FootTruth& foot = truth.feet[leg];
+    foot.in_contact = foot.normal_force > 0.0;
+    foot.slip_speed = slip_velocity[leg].norm();
+    foot.slip_path += h * foot.slip_speed;
+    foot.slip += h * slip_velocity[leg];
+  }
+}
+
+}  // namespace
+
+class World::Impl {
+ public:
+  Impl(const RobotModel& model, const TerrainSpec& spec, const WorldParams& params,
+       const LegArray<LegJoints>& q)
+      : params_(params),
+        physics_steps_(static_cast<int>(std::lround(params.control_dt / params.physics_dt))),
+        threading_(dThreadingAllocateSelfThreadedImplementation()),
+        world_(make_ode_world(params, threading_.get())),
+        ground_(Terrain(spec, params.seed)),
+        contacts_(world_.get(), params),
+        robot_(world_.get(), model, params, start_pose(model, terrain(), params, q), q),
+        felt_(model.num_legs(), false) {
+    truth_.feet = LegArray<FootTruth>(model.num_legs());
+    record_motion();
+  }
+
+  PlantStatus read(Measurement& measurement) const {
+    measurement.time = truth_.time;
+    measurement.q = robot_.servos().q();
+    measurement.contact = felt_;
+    return truth_.finite ? PlantStatus::fresh : PlantStatus::closed;
+  }
+
+  void write(const JointTargets& targets) {
+    if (!all_finite(targets)) truth_.finite = false;
+    robot_.servos().set_targets(targets);
+    felt_ = LegArray<bool>(felt_.size(), false);
+    for (int k = 0; k < physics_steps_ && truth_.finite; ++k) step(k * params_.physics_dt);
+  }
+
+  const GroundTruth& truth() const { return truth_; }
+  const LegArray<LegJoints>& efforts() const { return robot_.servos().efforts(); }
+  const Terrain& terrain() const { return ground_.terrain(); }
+
+ private:
+  void step(double age) {
+    const long complaints = detail::solver_complaints();
+    contacts_.find(ground_, robot_.shapes());
+    robot_.step(age);
+    truth_.solver_complaints += detail::solver_complaints() > complaints ? 1 : 0;
+    truth_.finite = robot_.is_sane();
+    if (!truth_.finite) return;
+
+    truth_.time = ++steps_ * params_.physics_dt;
+    record_motion();
+    record_contacts(contacts_.touches(), params_.physics_dt, truth_);
+    feel_contacts();
+  }
+
+  void record_motion() {
+    truth_.X_WB = robot_.X_WB();
+    truth_.V_WB = robot_.V_WB();
+    for (LegId leg = 0; leg < truth_.feet.size(); ++leg) truth_.feet[leg].p_WF = robot_.p_WF(leg);
+  }
+
+  void feel_contacts() {
+    for (LegId leg = 0; leg < felt_.size(); ++leg) {
+      if (truth_.feet[leg].normal_force > params_.contact_threshold) felt_[leg] = true;
+    }
+  }
+
+  WorldParams params_;
+  int physics_steps_;  // per control period
+  int steps_ = 0;      // since the beginning
+  detail::ThreadingPtr threading_;
+  detail::WorldPtr world_;
+  detail::Ground ground_;
+  detail::Contacts contacts_;
+  detail::Robot robot_;
+  LegArray<bool> felt_;  // latched over the control period
+  GroundTruth truth_;
+};
+
+World::World(const RobotModel& robot, const TerrainSpec& terrain, const WorldParams& params,
+             const LegArray<LegJoints>& q) {
+  detail::check(robot, params, q);
+  detail::initialise_ode();
+  impl_ = std::make_unique<Impl>(robot, terrain, params, q);
+}
+World::~World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+PlantStatus World::read(Measurement& measurement) { return impl_->read(measurement); }
+void World::write(const JointTargets& targets) { impl_->write(targets); }
+const GroundTruth& World::truth() const { return impl_->truth(); }
+const LegArray<LegJoints>& World::efforts() const { return impl_->efforts(); }
+const Terrain& World::terrain() const { return impl_->terrain(); }
+
+}  // namespace hexagait::sim3d

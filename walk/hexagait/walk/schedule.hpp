@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <hexagait/heading_control/heading.hpp>
+#include <string>
+#include <vector>
+
+namespace hexagait::walk {
+
+/// A heading command and the time from which it holds.
+struct TimedHeading {
+  double time = 0.0;  ///< [s]
+  heading_control::Heading heading = heading_control::Heading::stop();
+};
+
+/// Heading commands in the order of time, the first at 0.
+using Schedule = std::vector<TimedHeading>;
+
+/// The command that holds at a time; the first one before it.
+[[nodiscard]] const heading_control::Heading& heading_at(const Schedule& schedule, double time);
+
+/// Reads a schedule from a YAML file: a list of commands, each with its time,
+///
+///     - {at: 0, radius: inf}                  # straight; crab: 0 if not given
+///     - {at: 5, radius: 1.5, crab: 20deg}     # arc to the left; angles in rad, or with deg
+///     - {at: 9, spin: cw}
+///     - {at: 12, stop: true}
+///
+/// @throws InvalidInput  with file, line and what would be right, for everything that is wrong
+[[nodiscard]] Schedule load_schedule(const std::string& path);
+
+/// A new random heading every `period` seconds: a radius of either sign (uniform curvature up to
+/// 1/0.3 m, one in ten straight, one in ten a spin) and any crab angle.
+[[nodiscard]] Schedule random_schedule(std::uint64_t seed, double period, double seconds);
+
+/// Reads an angle such as 0.5, 0.5rad or 30deg. @throws InvalidInput
+[[nodiscard]] double parse_angle(const std::string& text);
+
+/// Reads a radius: a number in metres, or inf. @throws InvalidInput
+[[nodiscard]] double parse_radius(const std::string& text);
+
+}  // namespace hexagait::walk
