@@ -26,7 +26,7 @@ function(hexagait_module name)
 
   install(TARGETS hexagait_${name} EXPORT hexagait-targets)
   install(DIRECTORY hexagait/${name} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hexagait
-          FILES_MATCHING PATTERN "*.hpp")
+          FILES_MATCHING PATTERN "*.hpp" PATTERN "detail" EXCLUDE)
 
   if(HEXAGAIT_TESTS AND arg_TESTS)
     hexagait_test(${name}_test SOURCES ${arg_TESTS} LIBRARIES hexagait::${name} ${arg_TEST_LIBRARIES})

@@ -45,7 +45,7 @@ using PoseAdaptation = BaseGoal (*)(const BaseAuto&, const PoseAdaptationInput&)
 struct BaseAuto {
   PoseAdaptation adaptation = nullptr;  ///< none: the base stays where it is
   PlanarTwist path;                     ///< unit motion along the commanded path, per metre of path
-  PlanarTwist correction;               ///< back to the path: displacement still to be made [m, rad]
+  PlanarTwist correction;  ///< back to the path: displacement still to be made [m, rad]
   double max_advance = std::numeric_limits<double>::infinity();  ///< workspace left [m of path]
   double max_speed = std::numeric_limits<double>::infinity();    ///< along the path [m/s]
 };

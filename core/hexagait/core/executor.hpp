@@ -15,8 +15,8 @@ struct ExecutorParams {
   double gravity = 9.81;  ///< [m/s²]; 0 feeds no load forward
 };
 
-/// The Free Gait executor for a stream of commands: a lane per leg and one for the base ([FG16] II),
-/// without barriers between them.
+/// The Free Gait executor for a stream of commands: a lane per leg and one for the base ([FG16]
+/// II), without barriers between them.
 ///
 /// Every foot has a set point p_BF in the body frame. When the base is to move with twist V, the
 /// ground, and with it every foot, goes the other way:

@@ -14,7 +14,8 @@ struct FootTruth {
   bool in_contact = false;         ///< any normal force
 
   /// Speed of the material contact point: the velocity that the foot's body has at the contact,
-  /// tangential to the ground, at the most loaded contact. A rolling foot has none. 0 in the air [m/s]
+  /// tangential to the ground, at the most loaded contact. A rolling foot has none. 0 in the air
+  /// [m/s]
   double slip_speed = 0.0;
 
   /// ∫ slip_speed dt since the world began [m]. Never decreases: the slip path of a stance is a
@@ -29,13 +30,14 @@ struct FootTruth {
 /// What is true in the world. For the referee alone: no controller may see any of it.
 /// Positions, velocities and forces are those at the end of the last physics step.
 struct GroundTruth {
-  double time = 0.0;                  ///< [s]
-  Pose X_WB;                          ///< base in the world
-  Twist V_WB;                         ///< velocity of the base, expressed in the base
-  LegArray<FootTruth> feet;           ///< per leg
-  bool body_touches_ground = false;   ///< something other than a foot touched in the last step
-  bool finite = true;                 ///< false once the physics has blown up; then all has stopped
-  long solver_complaints = 0;         ///< steps that the contact solver called ill-posed, so far
+  double time = 0.0;                 ///< [s]
+  Pose X_WB;                         ///< base in the world
+  Twist V_WB;                        ///< velocity of the base, expressed in the base
+  LegArray<FootTruth> feet;          ///< per leg
+  bool base_touches_ground = false;  ///< the base link touched in the last step: a fall
+  bool leg_touches_ground = false;   ///< a leg touched with something other than its foot
+  bool finite = true;                ///< false once the physics has blown up; then all has stopped
+  long solver_complaints = 0;        ///< steps that the contact solver called ill-posed, so far
 };
 
 }  // namespace hexagait

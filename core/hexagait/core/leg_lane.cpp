@@ -49,16 +49,15 @@ Vector2 way_to_go(const LegLane& lane, const Pose& X_OB) {
 void move_sideways(LegLane& lane, const Vector2& way, double dt, const SwingParams& params) {
   lane.transfer_clock += dt;
   const double T = time_to_go(lane, way.norm(), params);
-  for (int k = 0; k < 2; ++k)
-    lane.a_O[k] += dt * jerk_to(way[k], lane.v_O[k], lane.a_O[k], T);
+  for (int k = 0; k < 2; ++k) lane.a_O[k] += dt * jerk_to(way[k], lane.v_O[k], lane.a_O[k], T);
 }
 
 void move_up(LegLane& lane, double way, double time_left, double dt) {
   lane.a_O.z() += dt * jerk_to(way, lane.v_O.z(), lane.a_O.z(), time_left);
 }
 
-// Slow where the ground is expected, faster the farther the foot is from there: it then brakes for the
-// ground above, or searches for it below.
+// Slow where the ground is expected, faster the farther the foot is from there: it then brakes for
+// the ground above, or searches for it below.
 void move_down(LegLane& lane, double height, double dt, const SwingParams& params) {
   const double off = std::abs(height - lane.step.p_OT.z()) - params.touchdown_margin;
   const double bound = height > lane.step.p_OT.z() ? params.descent_speed : params.search_speed;
@@ -163,12 +162,18 @@ void step_back(LegLane& lane, double dt, const Pose& X_OB, const SwingParams& pa
 
 const char* to_string(LegPhase phase) noexcept {
   switch (phase) {
-    case LegPhase::support: return "support";
-    case LegPhase::unload: return "unload";
-    case LegPhase::lift: return "lift";
-    case LegPhase::transfer: return "transfer";
-    case LegPhase::descend: return "descend";
-    case LegPhase::retreat: return "retreat";
+    case LegPhase::support:
+      return "support";
+    case LegPhase::unload:
+      return "unload";
+    case LegPhase::lift:
+      return "lift";
+    case LegPhase::transfer:
+      return "transfer";
+    case LegPhase::descend:
+      return "descend";
+    case LegPhase::retreat:
+      return "retreat";
   }
   return "?";
 }
@@ -191,12 +196,20 @@ void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt
   lane.time += dt;
   lane.touched_down = false;
   switch (lane.phase) {
-    case LegPhase::support: return support(lane, sensed, dt, X_OB, params);
-    case LegPhase::unload: return unload(lane, dt, X_OB, params);
+    case LegPhase::support:
+      return support(lane, sensed, dt, X_OB, params);
+    case LegPhase::unload:
+      return unload(lane, dt, X_OB, params);
     case LegPhase::lift:
-    case LegPhase::transfer: swing(lane, sensed, dt, X_OB, params); break;
-    case LegPhase::descend: descend(lane, sensed, dt, X_OB, params); break;
-    case LegPhase::retreat: step_back(lane, dt, X_OB, params); break;
+    case LegPhase::transfer:
+      swing(lane, sensed, dt, X_OB, params);
+      break;
+    case LegPhase::descend:
+      descend(lane, sensed, dt, X_OB, params);
+      break;
+    case LegPhase::retreat:
+      step_back(lane, dt, X_OB, params);
+      break;
   }
   if (lane.phase != LegPhase::support) ramp(lane.load, 0.0, dt / params.unload_time);
 

@@ -27,8 +27,8 @@ struct SwingParams {
   double load_time = 0.04;
   /// Time from leaving the ground to the top [s].
   double lift_time = 0.20;
-  /// Share of the lift after which the foot may move sideways. Smaller is faster, but an edge beside
-  /// the foot is hit more often.
+  /// Share of the lift after which the foot may move sideways. Smaller is faster, but an edge
+  /// beside the foot is hit more often.
   double clearance_share = 0.4;
   /// Duration of the sideways motion [s]; longer where max_speed asks for it.
   double transfer_time = 0.38;
@@ -36,16 +36,16 @@ struct SwingParams {
   double max_speed = 2.0;
   /// Descent begins when this much of the sideways motion's time is left [s].
   double overlap_time = 0.10;
-  double descent_speed = 0.30;    ///< far above the expected ground [m/s]
-  double touchdown_speed = 0.08;    ///< where it is expected: bounds the impact [m/s]
-  double touchdown_margin = 0.006;  ///< distance from there up to which that speed is kept [m]
-  double search_speed = 0.15;       ///< far below it [m/s]
+  double descent_speed = 0.30;         ///< far above the expected ground [m/s]
+  double touchdown_speed = 0.08;       ///< where it is expected: bounds the impact [m/s]
+  double touchdown_margin = 0.006;     ///< distance from there up to which that speed is kept [m]
+  double search_speed = 0.15;          ///< far below it [m/s]
   double vertical_acceleration = 6.0;  ///< in the descent [m/s²]
   /// Height above the expected ground below which the foothold is no longer moved [m].
   double commit_height = 0.03;
-  double retreat_back = 0.03;   ///< after a collision [m]
-  double retreat_up = 0.05;     ///< [m]
-  double retreat_time = 0.15;   ///< [s]
+  double retreat_back = 0.03;  ///< after a collision [m]
+  double retreat_up = 0.05;    ///< [m]
+  double retreat_time = 0.15;  ///< [s]
   /// A support leg without contact for this long counts as off the ground [s] …
   double lost_time = 0.03;
   /// … and for this long goes down to find it again [s].
@@ -55,21 +55,21 @@ struct SwingParams {
 /// One leg's lane of the executor: which motion it is in and where its set point is. A value.
 struct LegLane {
   LegPhase phase = LegPhase::support;
-  double time = 0.0;                  ///< in this phase [s]
-  double load = 1.0;                  ///< share of its load that it carries, 0 … 1
-  double without_contact = 0.0;       ///< [s]
-  Vector3 p_BF = Vector3::Zero();     ///< set point of the foot, body frame [m]
-  Vector3 v_O = Vector3::Zero();      ///< its velocity over the ground, odom axes [m/s]
-  Vector3 a_O = Vector3::Zero();      ///< its acceleration over the ground [m/s²]
-  Footstep step;                      ///< the command being executed
-  Vector3 p_OL = Vector3::Zero();     ///< where it left the ground, odom [m]
-  double transfer_clock = 0.0;        ///< time since the sideways motion began [s]
-  double apex_z = 0.0;                ///< height of the top of the swing, odom [m]
-  bool cleared = false;               ///< contact was lost since the lift
-  int retreats = 0;                   ///< collisions of this step
-  double reach_share = 1.0;           ///< of the way to the foothold, reduced when it can't be had
-  bool touched_down = false;          ///< landed in this tick
-  bool lifted = false;                ///< left support in this tick
+  double time = 0.0;               ///< in this phase [s]
+  double load = 1.0;               ///< share of its load that it carries, 0 … 1
+  double without_contact = 0.0;    ///< [s]
+  Vector3 p_BF = Vector3::Zero();  ///< set point of the foot, body frame [m]
+  Vector3 v_O = Vector3::Zero();   ///< its velocity over the ground, odom axes [m/s]
+  Vector3 a_O = Vector3::Zero();   ///< its acceleration over the ground [m/s²]
+  Footstep step;                   ///< the command being executed
+  Vector3 p_OL = Vector3::Zero();  ///< where it left the ground, odom [m]
+  double transfer_clock = 0.0;     ///< time since the sideways motion began [s]
+  double apex_z = 0.0;             ///< height of the top of the swing, odom [m]
+  bool cleared = false;            ///< contact was lost since the lift
+  int retreats = 0;                ///< collisions of this step
+  double reach_share = 1.0;        ///< of the way to the foothold, reduced when it can't be had
+  bool touched_down = false;       ///< landed in this tick
+  bool lifted = false;             ///< left support in this tick
 
   /// The foot stands where it is, loaded or not.
   [[nodiscard]] bool on_ground() const {

@@ -11,9 +11,9 @@ namespace hexagait {
 ///
 ///     min Σ F_i² / w_i   subject to   Σ F_i = W,  Σ F_i p_i = W p_M        (in the plane)
 ///
-/// whose solution is F_i = w_i (a + b x_i + c y_i). With w_i ramping from 0 to 1 as a leg is loaded,
-/// the forces change without a jump. They are fed forward to the joints, so that the servos need no
-/// deflection to carry the robot ("gravity compensation", [FG16] IV).
+/// whose solution is F_i = w_i (a + b x_i + c y_i). With w_i ramping from 0 to 1 as a leg is
+/// loaded, the forces change without a jump. They are fed forward to the joints, so that the servos
+/// need no deflection to carry the robot ("gravity compensation", [FG16] IV).
 ///
 /// @param p_F     feet [m]; only x and y matter
 /// @param p_M     centre of mass, same frame [m]

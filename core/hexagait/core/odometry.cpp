@@ -19,8 +19,8 @@ Matrix3 cross_matrix(const Vector3& a) {
   return (Matrix3() << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0).finished();
 }
 
-// One Gauss-Newton step of (odometry 1) from X: exact to second order in the motion of one tick, and
-// what is left over is corrected at the next.
+// One Gauss-Newton step of (odometry 1) from X: exact to second order in the motion of one tick,
+// and what is left over is corrected at the next.
 Pose registered(const Pose& X, const LegArray<Vector3>& p_BF, const LegArray<Vector3>& anchor_O,
                 const LegArray<double>& load) {
   double weight = 0.0;
@@ -140,8 +140,8 @@ void Odometry::update(RobotState& state, const LegArray<double>& footing, double
 // (odometry 2), over one tick.
 void Odometry::roll(RobotState& state, LegId leg, const Vector3& rotation_B,
                     const Vector3& up_B) noexcept {
-  const Vector3 tibia_turn_B = rotation_B + tibia_turn(model_->legs[leg], trig_before_[leg],
-                                                       state.q[leg] - q_before_[leg]);
+  const Vector3 tibia_turn_B =
+      rotation_B + tibia_turn(model_->legs[leg], trig_before_[leg], state.q[leg] - q_before_[leg]);
   anchor_O_[leg] += X_OB_.R * tibia_turn_B.cross(model_->foot_radius * up_B);
 }
 

@@ -12,9 +12,10 @@ namespace hexagait {
 ///
 ///     X_OB = argmin Σ_i w_i ‖X_OB p_BF,i − p_OF,i‖²                                   (odometry 1)
 ///
-/// w_i is the share of load that leg i carries (0 in the air, 1 in full support), less where the foot
-/// slides: then its distance to every other foot on the ground changes (odometry 3). A spherical foot of
-/// radius ρ rolls on the ground without slipping, so its centre moves while its contact stands:
+/// w_i is the share of load that leg i carries (0 in the air, 1 in full support), less where the
+/// foot slides: then its distance to every other foot on the ground changes (odometry 3). A
+/// spherical foot of radius ρ rolls on the ground without slipping, so its centre moves while its
+/// contact stands:
 ///
 ///     ṗ_OF = ω_tibia × ρ n                                                            (odometry 2)
 ///
@@ -24,8 +25,8 @@ class Odometry {
  public:
   explicit Odometry(const RobotModel& model) : model_(&model) {}
 
-  /// Puts the odom frame under the robot: z = 0 at the feet's mean lowest point, z normal to the plane
-  /// through the feet, x and y those of the body.
+  /// Puts the odom frame under the robot: z = 0 at the feet's mean lowest point, z normal to the
+  /// plane through the feet, x and y those of the body.
   void reset(RobotState& state);
 
   /// Fills X_OB, V_B and p_OF from q, trig and p_BF.
@@ -37,8 +38,8 @@ class Odometry {
   void roll(RobotState& state, LegId leg, const Vector3& rotation_B, const Vector3& up_B) noexcept;
 
   const RobotModel* model_;
-  LegArray<Vector3> anchor_O_;      ///< footholds [m]
-  LegArray<LegJoints> q_before_;    ///< joints of the previous update [rad]
+  LegArray<Vector3> anchor_O_;    ///< footholds [m]
+  LegArray<LegJoints> q_before_;  ///< joints of the previous update [rad]
   LegArray<LegTrig> trig_before_;
   Pose X_OB_;
 };

@@ -18,10 +18,9 @@ constexpr double kUsableShare = 0.98;
 // [PC04] 4 in closed form: the arc's zero of the restricted gradient; for height and tilt the plane
 // through the footprints (docs/theory.md says why not the printed gradients).
 BaseGoal pose_adaptation(const BaseAuto& command, const PoseAdaptationInput& in) {
-  const posture::PlaneFit plane = 
+  const posture::PlaneFit plane =
       posture::plane_fit(in.footprint_BF, in.p_BC, LegSet::all(in.p_BC.size()));
-  const double advance =
-      posture::arc_optimum(in.p_BF, in.p_BC, in.support, command.path).advance;
+  const double advance = posture::arc_optimum(in.p_BF, in.p_BC, in.support, command.path).advance;
   return {advance, plane.height, plane.roll, plane.pitch};
 }
 
@@ -99,9 +98,9 @@ BaseAuto base_auto(const RobotModel& model, const PathArc& arc, const Executor& 
   for (LegId i = 0; i < model.num_legs(); ++i) {
     if (!support.contains(i)) continue;
     const Vector2 offset = (p_BF[i] - model.legs[i].p_BC).head<2>();
-    base.max_advance = std::min(
-        base.max_advance, workspace_left(offset, direction_at(arc, p_BF[i]),
-                                         kUsableShare * model.legs[i].workspace_radius));
+    base.max_advance =
+        std::min(base.max_advance, workspace_left(offset, direction_at(arc, p_BF[i]),
+                                                  kUsableShare * model.legs[i].workspace_radius));
   }
   return base;
 }

@@ -29,8 +29,8 @@ struct StepParams {
                                                const Executor& executor,
                                                const StepParams& params) noexcept;
 
-/// Path that the base will have advanced when every foot that is in the air now has come down on its
-/// AEP [m]: the arc-restricted posture optimum ([PC04] 4) of that moment.
+/// Path that the base will have advanced when every foot that is in the air now has come down on
+/// its AEP [m]: the arc-restricted posture optimum ([PC04] 4) of that moment.
 [[nodiscard]] double path_to_come(const heading_control::PathArc& arc, const Executor& executor,
                                   const RobotState& state, double half_step) noexcept;
 
@@ -41,8 +41,8 @@ struct StepParams {
                                 double to_come, double height) noexcept;
 
 /// The base: along the path as a reaction to the legs ([PC04] 4), parallel to the ground under the
-/// feet, back to the commanded curve, and not beyond any support leg's workspace nor the edge of the
-/// support polygon.
+/// feet, back to the commanded curve, and not beyond any support leg's workspace nor the edge of
+/// the support polygon.
 [[nodiscard]] BaseAuto base_auto(const RobotModel& model, const heading_control::PathArc& arc,
                                  const Executor& executor, const PlanarTwist& deviation,
                                  const StepParams& params) noexcept;

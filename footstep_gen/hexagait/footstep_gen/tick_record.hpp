@@ -27,25 +27,25 @@ enum class Fault : std::uint8_t {
 /// Log, replay, viewer and "why does leg 3 not step?" are all this struct.
 struct TickRecord {
   // plant → sense
-  Measurement measurement;     ///< as the plant gave it
-  Fault fault = Fault::none;   ///< not none: the stages below were skipped
-  bool holding = false;        ///< the measurement is late: all stands still
-  RobotState state;            ///< joints, feet, odometry
+  Measurement measurement;    ///< as the plant gave it
+  Fault fault = Fault::none;  ///< not none: the stages below were skipped
+  bool holding = false;       ///< the measurement is late: all stands still
+  RobotState state;           ///< joints, feet, odometry
 
   // heading_control
   heading_control::Heading heading = heading_control::Heading::stop();  ///< the command
-  heading_control::PathArc arc;      ///< the command, bound to this robot's workspaces
-  PlanarTwist deviation;             ///< from the base back to the commanded curve [m, rad]
+  heading_control::PathArc arc;  ///< the command, bound to this robot's workspaces
+  PlanarTwist deviation;         ///< from the base back to the commanded curve [m, rad]
 
   // gait_state
   gait_state::GaitInput gait_input;
   gait_state::GaitDecision gait;
 
   // footstep_gen
-  LegSet lifts;                 ///< legs commanded to lift in this tick
-  LegSet rule1_violations;      ///< of those, with a neighbour not in support
-  double path_to_come = 0.0;    ///< advance still to come when all airborne feet stand [m of path]
-  LegArray<Footstep> footsteps; ///< the last one of each leg
+  LegSet lifts;                  ///< legs commanded to lift in this tick
+  LegSet rule1_violations;       ///< of those, with a neighbour not in support
+  double path_to_come = 0.0;     ///< advance still to come when all airborne feet stand [m of path]
+  LegArray<Footstep> footsteps;  ///< the last one of each leg
   BaseAuto base_auto;
 
   // core

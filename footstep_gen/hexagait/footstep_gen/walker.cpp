@@ -12,9 +12,12 @@ namespace {
 bool planned_contact(const LegLane& lane, const Pose& X_OB) {
   switch (lane.phase) {
     case LegPhase::support:
-    case LegPhase::unload: return true;
-    case LegPhase::descend: return (X_OB * lane.p_BF).z() <= lane.step.p_OT.z();
-    default: return false;
+    case LegPhase::unload:
+      return true;
+    case LegPhase::descend:
+      return (X_OB * lane.p_BF).z() <= lane.step.p_OT.z();
+    default:
+      return false;
   }
 }
 
@@ -22,11 +25,16 @@ bool planned_contact(const LegLane& lane, const Pose& X_OB) {
 
 const char* to_string(Fault fault) noexcept {
   switch (fault) {
-    case Fault::none: return "none";
-    case Fault::bad_measurement: return "bad measurement";
-    case Fault::plant_late: return "plant late";
-    case Fault::plant_closed: return "plant closed";
-    case Fault::emergency_stop: return "emergency stop";
+    case Fault::none:
+      return "none";
+    case Fault::bad_measurement:
+      return "bad measurement";
+    case Fault::plant_late:
+      return "plant late";
+    case Fault::plant_closed:
+      return "plant closed";
+    case Fault::emergency_stop:
+      return "emergency stop";
   }
   return "?";
 }
@@ -102,8 +110,8 @@ void Walker::sense() noexcept {
     state.q[i] = params_.sensors.joint_feedback ? measured.q[i] : executor_.targets().q[i];
     state.trig[i] = leg_trig(model_->legs[i], state.q[i]);
     state.p_BF[i] = foot_position(model_->legs[i], state.trig[i]);
-    state.contact[i] = params_.sensors.foot_contacts ? measured.contact[i]
-                                                     : planned_contact(lane, state.X_OB);
+    state.contact[i] =
+        params_.sensors.foot_contacts ? measured.contact[i] : planned_contact(lane, state.X_OB);
   }
   odometry_.update(state, executor_.footing(), params_.control_dt);
 }
@@ -115,8 +123,7 @@ void Walker::steer(const heading_control::Heading& heading) noexcept {
     tracker_.follow(record_.arc.per_metre);
   }
   const Pose& X_OB = record_.state.X_OB;
-  record_.deviation =
-      tracker_.update({std::atan2(X_OB.R(1, 0), X_OB.R(0, 0)), X_OB.p.head<2>()});
+  record_.deviation = tracker_.update({std::atan2(X_OB.R(1, 0), X_OB.R(0, 0)), X_OB.p.head<2>()});
 }
 
 void Walker::decide() noexcept {

@@ -16,12 +16,12 @@ struct SensorMask {
 };
 
 struct WalkerParams {
-  double control_dt = 0.002;   ///< control period [s]
+  double control_dt = 0.002;  ///< control period [s]
   SensorMask sensors;
   gait_state::GaitParams gait;
   StepParams step;
   ExecutorParams executor;
-  double late_limit = 0.1;     ///< without a measurement for longer, the walker stops for good [s]
+  double late_limit = 0.1;  ///< without a measurement for longer, the walker stops for good [s]
 };
 
 /// The controller: what the robot senses and a heading go in, joint targets come out, once per

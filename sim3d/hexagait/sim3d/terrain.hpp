@@ -44,8 +44,8 @@ struct TerrainDescription {
 ///
 /// Cell (i, j) covers [i·cell, (i+1)·cell) × [j·cell, (j+1)·cell) in the world frame. Its level is
 /// random number (i, j) of RandomStream::terrain, so it depends neither on where the robot is nor
-/// on which cells were asked for before. The 4 × 4 cells around the origin are the start pad, z =
-/// 0.
+/// on which cells were asked for before. The 4 × 4 cells around the origin are the start pad, at 0.
+/// Coordinates may be up to 10⁸ cells.
 class Terrain {
  public:
   /// @throws InvalidInput  if the height is negative or not finite, or the cell not positive

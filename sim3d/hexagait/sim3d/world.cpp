@@ -54,12 +54,13 @@ void record_contacts(std::span<const Touch> touches, double h, GroundTruth& trut
   LegArray<double> largest(truth.feet.size(), 0.0);
   LegArray<Vector3> slip_velocity(truth.feet.size(), Vector3::Zero());
   for (FootTruth& foot : truth.feet) foot.normal_force = 0.0;
-  truth.body_touches_ground = false;
+  truth.base_touches_ground = false;
+  truth.leg_touches_ground = false;
 
   for (const Touch& touch : touches) {
     const LegId leg = touch.shape->foot_of;
     if (leg == RobotShape::kNotAFoot) {
-      truth.body_touches_ground = true;
+      (touch.shape->of_base ? truth.base_touches_ground : truth.leg_touches_ground) = true;
       continue;
     }
     const double force = touch.normal_force();

@@ -12,6 +12,7 @@
 
 namespace hexagait::sim3d {
 
+/// How a World is simulated. The defaults suit a robot of some 50 kg.
 struct WorldParams {
   /// Physics step h [s]. At 4 ms the simulation is twice as fast and a walk much the same; smaller
   /// steps cost time and change little.
@@ -41,14 +42,14 @@ struct WorldParams {
   double contact_threshold = 5.0;
 
   /// The ground is slightly soft. Each step removes the fraction `erp` of the penetration, but no
-  /// faster than the correcting speed [m/s], and lets a force press in at `cfm` per newton [m/(N
-  /// s)]. A foot loaded with F stands h · cfm/erp · F deep: 5 µm at 80 N. Harder ground makes
-  /// touchdowns kick.
+  /// faster than the correcting speed [m/s], and a force F presses in at the speed `cfm` · F, with
+  /// cfm in m/(N s). A foot loaded with F so stands h · cfm/erp · F deep: 5 µm at 80 N. Harder
+  /// ground makes touchdowns kick.
   double contact_erp = 0.3;
   double contact_cfm = 1e-5;
   double contact_correcting_speed = 0.5;
 
-  /// The same for the hinges, which come apart by that little [m/(N s)].
+  /// The same for the hinges: how fast they close and how much they give.
   double hinge_erp = 0.4;
   double hinge_cfm = 1e-8;
 
@@ -81,7 +82,7 @@ struct WorldParams {
 /// else runs in the process. Worlds may run on different threads, each on the one that made it.
 class World : public Plant {
  public:
-  /// @param q  initial joint positions [rad]; the base is level and the lowest foot just off the
+  /// @param q  initial joint positions [rad]. The base is level, the lowest foot just off the
   /// ground
   /// @throws InvalidInput  listing every parameter or link that no world can be made from
   World(const RobotModel& robot, const TerrainSpec& terrain, const WorldParams& params,
@@ -91,7 +92,8 @@ class World : public Plant {
   World& operator=(World&&) noexcept;
 
   /// Joint positions now; contact if it was felt in any physics step since the last write() began.
-  /// Simulated time does not wait: always `fresh`, or `closed` once the physics has blown up.
+  /// Nothing is felt before the first write(). Simulated time does not wait: always `fresh`, or
+  /// `closed` once the physics has blown up.
   PlantStatus read(Measurement& measurement) override;
 
   /// Sets the servos' targets and advances the world by one control period. Targets that are not

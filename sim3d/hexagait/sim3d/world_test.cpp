@@ -90,7 +90,7 @@ TEST(World, HoldsAStandingRobotWithForcesThatAddUpToItsWeight) {
     EXPECT_EQ(num_felt(world), 6);
     EXPECT_NEAR(world.truth().V_WB.v.norm() + world.truth().V_WB.w.norm(), 0.0, 1e-5);
     EXPECT_NEAR(roll_pitch_yaw(world.truth().X_WB.R).norm(), 0.0, 1e-6);
-    EXPECT_FALSE(world.truth().body_touches_ground);
+    EXPECT_FALSE(world.truth().base_touches_ground);
     EXPECT_TRUE(world.truth().finite);
     EXPECT_EQ(world.truth().solver_complaints, 0);
   }
@@ -159,9 +159,9 @@ TEST(World, FeelsNoFootWhenTheRobotLiesOnItsBelly) {
   WorldParams params;
   params.start_clearance = 0.06;
   World world(argos(), {}, params, everywhere(Vector3::Zero()));
-  EXPECT_FALSE(world.truth().body_touches_ground);
+  EXPECT_FALSE(world.truth().base_touches_ground);
   run(world, at(everywhere(Vector3::Zero())), 0.5);
-  EXPECT_TRUE(world.truth().body_touches_ground);
+  EXPECT_TRUE(world.truth().base_touches_ground);
   EXPECT_EQ(num_felt(world), 0);
   EXPECT_EQ(total_force(world), 0.0);
 }

@@ -20,9 +20,9 @@ void ReferencePath::follow(const heading_control::Heading& heading) {
   if (was_spinning) start_.angle = last_.angle;
   ideal_ = start_;
   moving_ = heading.moving();
-  curvature_ = heading.rho() > 0.0 ? heading.curvature()
-                                   : std::copysign(std::numeric_limits<double>::infinity(),
-                                                   heading.k());
+  curvature_ = heading.rho() > 0.0
+                   ? heading.curvature()
+                   : std::copysign(std::numeric_limits<double>::infinity(), heading.k());
   crab_ = heading.crab_angle();
   angle_ = 0.0;
 }
@@ -48,8 +48,7 @@ ReferencePath::Deviation ReferencePath::deviation(const PlanarPose& X_WB) {
   const Vector2 centre = start_.shift + radius * perpendicular(unit(direction));
   const Vector2 arm = X_WB.shift - centre;
   const double side = std::copysign(1.0, radius);
-  const double angle = std::atan2(arm.y(), arm.x()) -
-                       (direction - side * std::numbers::pi / 2.0);
+  const double angle = std::atan2(arm.y(), arm.x()) - (direction - side * std::numbers::pi / 2.0);
   angle_ += wrap_angle(angle - angle_);
   ideal_ = {start_.angle + angle_, centre + std::abs(radius) * unit(std::atan2(arm.y(), arm.x()))};
   return {side * (std::abs(radius) - arm.norm()), wrap_angle(X_WB.angle - ideal_.angle),

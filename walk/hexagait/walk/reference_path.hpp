@@ -17,7 +17,8 @@ namespace hexagait::walk {
 class ReferencePath {
  public:
   struct Deviation {
-    double lateral = 0.0;   ///< distance of the base's origin from the curve [m], positive to its left
+    double lateral =
+        0.0;  ///< distance of the base's origin from the curve [m], positive to its left
     double heading = 0.0;   ///< true less ideal heading [rad]; 0 in a turn in place
     double progress = 0.0;  ///< along this curve since its start [m]; of a turn in place, 0
     double turned = 0.0;    ///< angle turned since its start [rad]

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <hexagait/heading_control/heading.hpp>
 #include <string>
 #include <vector>

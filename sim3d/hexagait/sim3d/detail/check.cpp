@@ -10,7 +10,8 @@
 namespace hexagait::sim3d::detail {
 namespace {
 
-constexpr double kSlack = 1e-9;  // of rounding [rad], and of a ratio of periods
+constexpr double kFarthestStart = 1e5;  // [m]
+constexpr double kSlack = 1e-9;         // of rounding [rad], and of a ratio of periods
 
 void check_number(Violations& violations, const char* name, double value, bool right,
                   const char* bound) {
@@ -47,8 +48,8 @@ void check_params(Violations& violations, const WorldParams& p) {
   fraction("hinge_erp", p.hinge_erp);
   not_negative("hinge_cfm", p.hinge_cfm);
   not_negative("start_clearance [m]", p.start_clearance);
-  if (!p.start.shift.allFinite() || !std::isfinite(p.start.angle)) {
-    violations.add("start", "must be finite");
+  if (!(p.start.shift.norm() < kFarthestStart) || !std::isfinite(p.start.angle)) {
+    violations.add("start", "must be finite and within 100 km of the origin");
   }
 }
 

@@ -6,7 +6,7 @@
 namespace hexagait::sim3d::detail {
 namespace {
 
-constexpr double kDepth = 2.0;      // of a box, and of the ground under a heightfield [m]
+constexpr double kDepth = 1.0;      // of the ground below the lowest level [m]
 constexpr int kPatchSamples = 257;  // along an edge of the heightfield patch
 
 }  // namespace
@@ -17,13 +17,15 @@ Ground::Ground(const Terrain& terrain) : terrain_(terrain) {
       geom_.reset(dCreatePlane(nullptr, 0, 0, 1, 0));
       break;
     case TerrainSpec::Kind::boxes:
-      geom_.reset(dCreateBox(nullptr, terrain.spec().cell, terrain.spec().cell, kDepth));
+      geom_.reset(dCreateBox(nullptr, terrain.spec().cell, terrain.spec().cell, box_height()));
       break;
     case TerrainSpec::Kind::steps:
       create_heightfield();
       break;
   }
 }
+
+double Ground::box_height() const { return terrain_.spec().height + kDepth; }
 
 int Ground::collide(dGeomID geom, std::span<dContactGeom> contacts) {
   // Most shapes are above everything that the terrain has.
@@ -58,7 +60,7 @@ int Ground::collide_boxes(dGeomID geom, const Aabb& aabb, std::span<dContactGeom
     for (int j = terrain_.cell_index(aabb[2]); j <= j_last; ++j) {
       const double level = terrain_.level(i, j);
       if (aabb[4] > level) continue;
-      dGeomSetPosition(geom_.get(), (i + 0.5) * cell, (j + 0.5) * cell, level - 0.5 * kDepth);
+      dGeomSetPosition(geom_.get(), (i + 0.5) * cell, (j + 0.5) * cell, level - 0.5 * box_height());
       count += collide_pair(geom, contacts.subspan(static_cast<std::size_t>(count)));
     }
   }

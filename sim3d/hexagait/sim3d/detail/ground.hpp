@@ -31,6 +31,7 @@ class Ground {
  private:
   using Aabb = std::array<dReal, 6>;  // min x, max x, min y, …
 
+  [[nodiscard]] double box_height() const;
   void create_heightfield();
   int collide_pair(dGeomID geom, std::span<dContactGeom> contacts);
   int collide_boxes(dGeomID geom, const Aabb& aabb, std::span<dContactGeom> contacts);

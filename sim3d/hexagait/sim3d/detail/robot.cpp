@@ -7,8 +7,7 @@
 namespace hexagait::sim3d::detail {
 namespace {
 
-// A body beyond these has been thrown by diverging physics. ODE would abort before it gave us a
-// NaN.
+// A body beyond these was thrown by diverging physics. ODE would sooner abort than give us a NaN.
 constexpr double kFarthest = 1e6;  // [m]
 constexpr double kFastest = 1e4;   // [m/s], [rad/s]
 
@@ -88,7 +87,8 @@ void Robot::make_shapes(const LinkModel& model, const Link& link) {
     const Vector3 p_MS = shape.X_LS.p - link.p_LM;
     dGeomSetOffsetPosition(geom.get(), p_MS.x(), p_MS.y(), p_MS.z());
     dGeomSetOffsetRotation(geom.get(), OdeRotation(shape.X_LS.R).m.data());
-    shapes_.push_back({std::move(geom), link.body});
+    shapes_.push_back(
+        {std::move(geom), link.body, RobotShape::kNotAFoot, link.body == base_.body});
   }
 }
 

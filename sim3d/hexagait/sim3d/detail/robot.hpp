@@ -18,6 +18,7 @@ struct RobotShape {
   GeomPtr geom;
   dBodyID body = nullptr;
   LegId foot_of = kNotAFoot;  ///< the leg whose foot this is
+  bool of_base = false;       ///< belongs to the base link
 };
 
 /// Is this shape of the tibia the leg's foot: a sphere about the foot's centre?

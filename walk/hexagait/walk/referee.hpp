@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <hexagait/core/ground_truth.hpp>
+#include <hexagait/walk/reference_path.hpp>
+#include <hexagait/walk/summary.hpp>
+#include <vector>
+
+namespace hexagait::walk {
+
+/// A leg was commanded to lift.
+struct TimedLift {
+  LegId leg = 0;
+  double time = 0.0;  ///< [s]
+};
+
+/// Leg lifts before the tripod gait: the number of lifts before the first of four consecutive
+/// groups of n/2 lifts that are alternately the one and the other tripod, each lifted within 20 %
+/// of a step time. None if that never happens.
+[[nodiscard]] std::optional<int> first_tripod_gait(const std::vector<TimedLift>& lifts,
+                                                   int num_legs, double step_time);
+
+/// Judges a walk by ground truth, tick by tick. Sees what the controller can't, and tells it
+/// nothing.
+class Referee {
+ public:
+  Referee(const RobotModel& model, const GroundTruth& truth, double control_dt);
+
+  /// After every tick of the controller and step of the plant.
+  void observe(const footstep_gen::TickRecord& record, const GroundTruth& truth);
+
+  [[nodiscard]] const ReferencePath::Deviation& deviation() const { return deviation_; }
+  /// Where the base should be, on the commanded curve.
+  [[nodiscard]] const PlanarPose& ideal() const { return path_.ideal(); }
+  [[nodiscard]] bool fell() const { return summary_.fell; }
+  [[nodiscard]] bool stuck() const { return summary_.stuck; }
+  [[nodiscard]] double distance() const { return distance_before_ + deviation_.progress; }
+
+  [[nodiscard]] Summary summary() const;
+
+ private:
+  /// A leg's present stance, and how long it has been off contact in it.
+  struct Stance {
+    bool counting = false;
+    Vector3 slip_before = Vector3::Zero();
+    double age = 0.0;
+    bool lost = false;
+  };
+
+  void follow_path(const footstep_gen::TickRecord& record, const GroundTruth& truth);
+  void watch_posture(const GroundTruth& truth);
+  void watch_stances(const footstep_gen::TickRecord& record, const GroundTruth& truth);
+  void watch_rule1(const footstep_gen::TickRecord& record, const GroundTruth& truth);
+  void watch_progress(const footstep_gen::TickRecord& record);
+  void hash(const footstep_gen::TickRecord& record, const GroundTruth& truth);
+
+  const RobotModel* model_;
+  double dt_;
+  PlanarPose start_;
+  ReferencePath path_;
+  heading_control::Heading heading_ = heading_control::Heading::stop();
+  ReferencePath::Deviation deviation_;
+  double distance_before_ = 0.0;
+  double lateral_sum_ = 0.0;
+  long ticks_ = 0;
+  LegArray<Stance> stances_;
+  std::vector<double> slips_, margins_, swing_times_;
+  LegArray<double> lift_time_;
+  std::vector<TimedLift> lifts_;
+  double idle_ = 0.0, progress_seen_ = 0.0;
+  double turned_ = 0.0, yaw_before_ = 0.0;
+  Summary summary_;
+  Pose odometry_, truth_;
+};
+
+/// Nearest-rank percentile of values, 0 if there are none. @param share  0 … 1
+[[nodiscard]] double percentile(std::vector<double> values, double share);
+
+}  // namespace hexagait::walk

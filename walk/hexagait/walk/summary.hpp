@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <hexagait/footstep_gen/tick_record.hpp>
+#include <optional>
+
+namespace hexagait::walk {
+
+/// How well a robot walked, by ground truth. What was not computed is 0.
+struct Summary {
+  double seconds = 0.0;   ///< walked [s]
+  double distance = 0.0;  ///< along the commanded curves, of the base's origin [m]
+  double turned = 0.0;    ///< net turn of the body [rad]
+  double speed = 0.0;     ///< distance / seconds [m/s]
+
+  double lateral_mean = 0.0, lateral_max = 0.0,
+         lateral_end = 0.0;                     ///< |distance from the curve| [m]
+  double heading_max = 0.0, heading_end = 0.0;  ///< |true − ideal heading| [rad]
+  double odometry_position = 0.0;               ///< |odometry − truth| at the end [m]
+  double odometry_heading = 0.0;                ///< the same of the yaw, signed [rad]
+
+  /// Slip of a stance: |∫ v dt| of the foot's material contact point along the ground, from the
+  /// moment the leg counts as support to the moment its foot is off the ground again [m].
+  double slip_mean = 0.0, slip_p95 = 0.0;
+  int stances = 0;  ///< completed
+
+  double margin_min = 0.0,
+         margin_p5 = 0.0;  ///< of the centre of mass in the true support polygon [m]
+  double roll_max = 0.0, pitch_max = 0.0;     ///< [rad], absolute
+  double height_min = 0.0, height_max = 0.0;  ///< of the base's origin [m]
+
+  int steps = 0;                          ///< lifts commanded
+  std::optional<int> tripod_after_steps;  ///< see first_tripod_gait()
+
+  int rule1_violations =
+      0;  ///< lifts commanded while a neighbour was, as far as known, not in support
+  double neighbour_flight = 0.0;  ///< time in which two neighbours were in fact off the ground [s]
+  int contact_losses = 0;  ///< times a leg in support lost all contact, after its first 20 ms
+  bool fell = false;       ///< the base touched the ground, or tilted by more than 60°
+  bool stuck = false;      ///< no progress for 10 s
+  bool arrived = false;    ///< the distance asked for was reached
+  footstep_gen::Fault fault = footstep_gen::Fault::none;  ///< why the controller stopped, if it did
+
+  double real_time_factor = 0.0;             ///< simulated seconds per second of processor time
+  double tick_median = 0.0, tick_p99 = 0.0;  ///< wall time of a controller tick [ns]
+  std::uint64_t state_hash = 0;  ///< of the true pose and all joints at every tick (FNV-1a)
+
+  /// Walked to the end as asked.
+  [[nodiscard]] bool ok() const { return !fell && !stuck && fault == footstep_gen::Fault::none; }
+};
+
+}  // namespace hexagait::walk

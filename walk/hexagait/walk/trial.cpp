@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <hexagait/core/kinematics.hpp>
+#include <hexagait/core/random.hpp>
+#include <hexagait/walk/trial.hpp>
+
+namespace hexagait::walk {
+namespace {
+
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+// Lets the robot come to rest on its feet before anything is judged.
+Measurement settled(footstep_gen::Walker& walker, Plant& plant, double seconds) {
+  Measurement measurement;
+  plant.read(measurement);
+  walker.start(measurement);
+  const double dt = walker.params().control_dt;
+  const auto stop = heading_control::Heading::stop();
+  for (double t = 0.0; t < seconds; t += dt) {
+    plant.write(walker.tick(PlantStatus::fresh, measurement, stop).targets);
+    plant.read(measurement);
+  }
+  walker.start(measurement);
+  return measurement;
+}
+
+}  // namespace
+
+Summary run_trial(footstep_gen::Walker& walker, Plant& plant, const GroundTruth& truth,
+                  const TrialOptions& options, const Observer& observer) {
+  const double dt = walker.params().control_dt;
+  const auto ticks = static_cast<long>(std::llround(options.seconds / dt));
+  Measurement measurement = settled(walker, plant, options.settle);
+  Referee referee(walker.model(), truth, dt);
+  std::vector<double> tick_times;
+  tick_times.reserve(static_cast<std::size_t>(ticks));
+
+  const double processor_start = processor_seconds();
+  PlantStatus status = PlantStatus::fresh;
+  for (long k = 0; k < ticks; ++k) {
+    const auto& heading = heading_at(options.schedule, static_cast<double>(k) * dt);
+    const auto before = std::chrono::steady_clock::now();
+    const footstep_gen::TickRecord& record = walker.tick(status, measurement, heading);
+    tick_times.push_back(
+        std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - before)
+            .count());
+
+    plant.write(record.targets);
+    referee.observe(record, truth);
+    if (observer) observer(record, truth, referee);
+    const bool arrived = referee.distance() >= options.distance;
+    if (arrived || referee.fell() || referee.stuck() || record.fault != footstep_gen::Fault::none)
+      break;
+    status = plant.read(measurement);
+  }
+
+  Summary summary = referee.summary();
+  summary.arrived = referee.distance() >= options.distance;
+  const double processor = processor_seconds() - processor_start;
+  summary.real_time_factor = processor > 0.0 ? summary.seconds / processor : 0.0;
+  summary.tick_median = percentile(tick_times, 0.5);
+  summary.tick_p99 = percentile(tick_times, 0.99);
+  return summary;
+}
+
+LegArray<LegJoints> nominal_posture(const RobotModel& model) {
+  return random_posture(model, 0.0, 0);
+}
+
+LegArray<LegJoints> random_posture(const RobotModel& model, double spread, std::uint64_t seed) {
+  RandomSequence random{.seed = seed, .stream = RandomStream::posture};
+  LegArray<LegJoints> q(model.num_legs());
+  for (LegId i = 0; i < model.num_legs(); ++i) {
+    const double radius = spread * std::sqrt(random.u01());
+    const double angle = random.uniform(-std::numbers::pi, std::numbers::pi);
+    const Vector3 offset(radius * std::cos(angle), radius * std::sin(angle), 0.0);
+    q[i] = inverse_kinematics(model.legs[i], model.legs[i].p_BC + offset).q;
+  }
+  return q;
+}
+
+}  // namespace hexagait::walk
