@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <hexagait/core/executor.hpp>
 #include <hexagait/core/load_sharing.hpp>
 
@@ -38,8 +39,10 @@ const JointTargets& Executor::advance(const RobotState& state, double dt) noexce
   carry_with_ground(state, dt);
 
   // The legs: what each does over the ground.
-  for (LegId i = 0; i < legs_.size(); ++i)
-    hexagait::advance(legs_[i], {state.contact[i], reachable_[i]}, state.X_OB, dt, params_.swing);
+  for (LegId i = 0; i < legs_.size(); ++i) {
+    const LegSensed sensed{state.contact[i], (state.p_BF[i] - legs_[i].p_BF).norm(), reachable_[i]};
+    hexagait::advance(legs_[i], sensed, state.X_OB, dt, params_.swing);
+  }
 
   set_joints(dt);
   set_efforts(state);
@@ -54,6 +57,7 @@ void Executor::hold() noexcept {
     lane.a_O.setZero();
   }
   for (LegJoints& qd : targets_.qd) qd.setZero();
+  for (LegJoints& change : last_change_) change.setZero();  // nothing rolls on
 }
 
 LegSet Executor::support() const noexcept {
@@ -80,6 +84,9 @@ PoseAdaptationInput Executor::pose_adaptation_input(const RobotState& state) con
     input.p_BF[i] = legs_[i].p_BF;
     input.p_BC[i] = model_->legs[i].p_BC;
     input.footprint_BF[i] = X_BO * state.print_O[i];
+    // A foot that finds no ground where it was expected: let the body come down to it.
+    if (legs_[i].phase == LegPhase::descend)
+      input.footprint_BF[i].z() = std::min(input.footprint_BF[i].z(), legs_[i].p_BF.z());
   }
   return input;
 }

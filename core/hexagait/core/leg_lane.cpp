@@ -18,6 +18,16 @@ void enter(LegLane& lane, LegPhase phase) {
   lane.time = 0.0;
 }
 
+// A step begins where the foot is; nothing of the step before counts any more.
+void begin_step(LegLane& lane, LegPhase phase, const Pose& X_OB) {
+  enter(lane, phase);
+  lane.cleared = false;
+  lane.retreats = 0;
+  lane.reach_share = 1.0;
+  lane.transfer_clock = 0.0;
+  lane.p_OL = X_OB * lane.p_BF;
+}
+
 void ramp(double& value, double target, double step) {
   value += std::clamp(target - value, -step, step);
 }
@@ -90,9 +100,10 @@ void support(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB
   const bool lost = lane.without_contact > params.lost_time;
   ramp(lane.load, lost ? 0.0 : 1.0, dt / params.load_time);
   if (lane.without_contact > params.regain_time) {
-    enter(lane, LegPhase::descend);
+    begin_step(lane, LegPhase::descend, X_OB);
     lane.cleared = true;
-    lane.step.p_OT = X_OB * lane.p_BF;
+    lane.step.p_OT = lane.p_OL;
+    lane.apex_z = lane.p_OL.z() + lane.step.profile_height;
   }
 }
 
@@ -116,7 +127,8 @@ void swing(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
   if (sideways) move_sideways(lane, way, dt, params);
   move_up(lane, lane.apex_z - height, params.lift_time - lane.time, dt);
 
-  if (sideways && lane.cleared && sensed.contact) {
+  const bool blocked = sensed.contact || sensed.tracking_error > params.blocked_error;
+  if (sideways && lane.cleared && blocked) {
     retreat(lane, params);
   } else if (lane.phase == LegPhase::lift && sideways) {
     lane.phase = LegPhase::transfer;  // the clock goes on: it paces the way up
@@ -133,7 +145,7 @@ void descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB
   lane.cleared = lane.cleared || !sensed.contact;
   const bool found = sensed.contact && lane.cleared;
   if (found) return land(lane);
-  if (!sensed.reachable) {
+  if (!sensed.reachable || sensed.tracking_error > params.blocked_error) {
     lane.reach_share *= 0.6;
     return retreat(lane, params);
   }
@@ -182,19 +194,14 @@ void command(LegLane& lane, const Footstep& step, const Pose& X_OB) noexcept {
   const bool starts = lane.phase == LegPhase::support;
   lane.step = step;
   if (!starts) return;
-  enter(lane, LegPhase::unload);
-  lane.lifted = true;
-  lane.cleared = false;
-  lane.retreats = 0;
-  lane.reach_share = 1.0;
-  lane.transfer_clock = 0.0;
-  lane.p_OL = X_OB * lane.p_BF;
+  begin_step(lane, LegPhase::unload, X_OB);
 }
 
 void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt,
              const SwingParams& params) noexcept {
-  lane.time += dt;
+  lane.lifted = lane.phase == LegPhase::unload && lane.time == 0.0;
   lane.touched_down = false;
+  lane.time += dt;
   switch (lane.phase) {
     case LegPhase::support:
       return support(lane, sensed, dt, X_OB, params);

@@ -45,6 +45,9 @@ struct SwingParams {
   double commit_height = 0.03;
   double retreat_back = 0.03;  ///< after a collision [m]
   double retreat_up = 0.05;    ///< [m]
+  /// Distance between the foot and its set point at which the way counts as blocked: a shin on an
+  /// edge stops a leg without any contact at its foot [m].
+  double blocked_error = 0.03;
   double retreat_time = 0.15;  ///< [s]
   /// A support leg without contact for this long counts as off the ground [s] …
   double lost_time = 0.03;
@@ -85,6 +88,7 @@ struct LegLane {
 /// What a lane needs to know at a tick.
 struct LegSensed {
   bool contact = false;
+  double tracking_error = 0.0;  ///< distance of the measured foot from its set point [m]
   bool reachable = true;  ///< the last set point was within the leg's reach
 };
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/LU>
-#include <cmath>
+#include <algorithm>
+#include <array>
 #include <hexagait/core/odometry.hpp>
-#include <limits>
 
 namespace hexagait {
 namespace {
@@ -51,28 +51,30 @@ Pose registered(const Pose& X, const LegArray<Vector3>& p_BF, const LegArray<Vec
   return {R, centroid + residual + R * (X.R.transpose() * (X.p - centroid))};
 }
 
-// Feet that stand keep their distances. A foot that slides changes its distance to every other one,
-// a foot that doesn't keeps it to at least one other that doesn't either: so the smallest change is
-// the sign of sliding (odometry 3).
+// By how much the distance of two feet has changed since they stand, squared [m²].
+double change2(const Vector3& now, const Vector3& then) {
+  const double now2 = now.squaredNorm(), then2 = then.squaredNorm();
+  return (now2 - then2) * (now2 - then2) / (4.0 * then2);  // now² − then² ≈ 2 · distance · change
+}
+
+// Feet that stand keep their distances (odometry 3). A foot is judged by the k-th smallest change of
+// its distances to the others, k = m/2 of m feet on the ground: half of them must agree with it. The
+// smallest alone is no sign: legs stand in rows, and a slide across a row changes no distance in
+// it. Up to m/2 − 1 sliding feet don't discredit those that stand.
 LegArray<double> without_sliding(const LegArray<double>& footing, const LegArray<Vector3>& p_BF,
                                  const LegArray<Vector3>& anchor_O) {
-  const int n = p_BF.size();
-  LegArray<double> change(n, std::numeric_limits<double>::infinity());  // squared [m²]
-  for (LegId i = 0; i < n; ++i) {
-    for (LegId j = i + 1; j < n; ++j) {
-      if (footing[i] <= 0.0 || footing[j] <= 0.0) continue;
-      const double now2 = (p_BF[i] - p_BF[j]).squaredNorm();
-      const double then2 = (anchor_O[i] - anchor_O[j]).squaredNorm();
-      const double difference2 = std::abs(now2 - then2);  // ≈ 2 · distance · change
-      const double e2 = difference2 * difference2 / (4.0 * then2);
-      change[i] = std::min(change[i], e2);
-      change[j] = std::min(change[j], e2);
-    }
-  }
   LegArray<double> trust = footing;
-  for (LegId i = 0; i < n; ++i) {
-    const double ratio2 = change[i] / (kSlideTolerance * kSlideTolerance);
-    if (std::isfinite(ratio2)) trust[i] /= 1.0 + ratio2 * ratio2;
+  for (LegId i = 0; i < p_BF.size(); ++i) {
+    std::array<double, kMaxLegs> change{};
+    auto end = change.begin();
+    for (LegId j = 0; j < p_BF.size(); ++j)
+      if (j != i && footing[i] > 0.0 && footing[j] > 0.0)
+        *end++ = change2(p_BF[i] - p_BF[j], anchor_O[i] - anchor_O[j]);
+    if (end == change.begin()) continue;
+    const auto judge = change.begin() + ((end - change.begin()) + 1) / 2 - 1;
+    std::nth_element(change.begin(), judge, end);
+    const double ratio2 = *judge / (kSlideTolerance * kSlideTolerance);
+    trust[i] /= 1.0 + ratio2 * ratio2;
   }
   return trust;
 }

@@ -13,7 +13,7 @@ namespace hexagait {
 ///     X_OB = argmin Σ_i w_i ‖X_OB p_BF,i − p_OF,i‖²                                   (odometry 1)
 ///
 /// w_i is the share of load that leg i carries (0 in the air, 1 in full support), less where the
-/// foot slides: then its distance to every other foot on the ground changes (odometry 3). A
+/// foot slides: then its distances to most other feet on the ground change (odometry 3). A
 /// spherical foot of radius ρ rolls on the ground without slipping, so its centre moves while its
 /// contact stands:
 ///

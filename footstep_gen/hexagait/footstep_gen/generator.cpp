@@ -76,11 +76,17 @@ double path_to_come(const PathArc& arc, const Executor& executor, const RobotSta
 }
 
 Footstep footstep(const RobotModel& model, const PathArc& arc, const RobotState& state, LegId leg,
-                  double half_step, double to_come, double height) noexcept {
+                  double half_step, double to_come, const StepParams& params) noexcept {
   const double reach = 0.5 * model.legs[leg].workspace_radius;
   const Vector3 aep_BF = aep(arc, leg, std::min(half_step, reach) + to_come);
-  Footstep step{leg, state.X_OB * aep_BF, height};
-  step.p_OT.z() = state.print_O[leg].z();
+  const double start_z = state.print_O[leg].z();
+  double highest_z = start_z;
+  for (const Vector3& print : state.print_O) highest_z = std::max(highest_z, print.z());
+
+  Footstep step{leg, state.X_OB * aep_BF, 0.0};
+  step.p_OT.z() = start_z;
+  step.profile_height =
+      std::min(params.max_height, params.height + params.roughness_gain * (highest_z - start_z));
   return step;
 }
 

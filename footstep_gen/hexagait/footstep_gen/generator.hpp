@@ -15,6 +15,10 @@ struct StepParams {
   double stroke = 0.20;
   /// Clearance of the swing [m]. Higher steps up more and walks slower.
   double height = 0.10;
+  /// Added for each metre by which another foot's last footprint is higher: who has just met a step
+  /// expects another [m/m]. 0: an edge higher than the clearance is found by running into it.
+  double roughness_gain = 1.0;
+  double max_height = 0.22;  ///< of the swing, at most [m]
   /// Share of its workspace radius at which a leg's lag is urgent: the latch then lets go of its
   /// adjusted relations.
   double urgent_share = 0.8;
@@ -38,7 +42,7 @@ struct StepParams {
 /// height of its last footprint.
 [[nodiscard]] Footstep footstep(const RobotModel& model, const heading_control::PathArc& arc,
                                 const RobotState& state, LegId leg, double half_step,
-                                double to_come, double height) noexcept;
+                                double to_come, const StepParams& params) noexcept;
 
 /// The base: along the path as a reaction to the legs ([PC04] 4), parallel to the ground under the
 /// feet, back to the commanded curve, and not beyond any support leg's workspace nor the edge of

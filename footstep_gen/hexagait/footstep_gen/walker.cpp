@@ -21,6 +21,12 @@ bool planned_contact(const LegLane& lane, const Pose& X_OB) {
   }
 }
 
+bool valid(const Measurement& measurement, int num_legs) {
+  bool finite = std::isfinite(measurement.time);
+  for (const LegJoints& q : measurement.q) finite = finite && q.allFinite();
+  return finite && measurement.q.size() == num_legs && measurement.contact.size() == num_legs;
+}
+
 }  // namespace
 
 const char* to_string(Fault fault) noexcept {
@@ -58,7 +64,12 @@ const TickRecord& Walker::tick(PlantStatus status, const Measurement& measuremen
 }
 
 void Walker::start(const Measurement& measurement) {
+  if (!valid(measurement, model_->num_legs()))
+    throw InvalidInput(
+        "Walker::start: the measurement must have a finite position for every joint of " +
+        model_->name);
   *this = Walker(*model_, params_);
+  if (!usable(measurement)) return stop(Fault::bad_measurement);
   RobotState& state = record_.state;
   record_.measurement = measurement;
   state.time = measurement.time;
@@ -80,6 +91,14 @@ void Walker::start(const Measurement& measurement) {
   record_.arc = path_arc(record_.heading, workspaces_);
 }
 
+bool Walker::usable(const Measurement& measurement) const noexcept {
+  const int n = model_->num_legs();
+  bool usable = std::isfinite(measurement.time) && measurement.q.size() == n &&
+                (measurement.contact.size() == n || !params_.sensors.foot_contacts);
+  for (const LegJoints& q : measurement.q) usable = usable && q.allFinite();
+  return usable;
+}
+
 // Bad input ends here: nothing behind it ever sees a number that is not finite.
 bool Walker::healthy(PlantStatus status, const Measurement& measurement) noexcept {
   if (record_.fault != Fault::none) return false;
@@ -92,9 +111,7 @@ bool Walker::healthy(PlantStatus status, const Measurement& measurement) noexcep
     if (silence_ > params_.late_limit) stop(Fault::plant_late);
     return false;
   }
-  bool finite = std::isfinite(measurement.time) && measurement.q.size() == model_->num_legs();
-  for (const LegJoints& q : measurement.q) finite = finite && q.allFinite();
-  if (!finite) return stop(Fault::bad_measurement), false;
+  if (!valid(measurement, model_->num_legs())) return stop(Fault::bad_measurement), false;
   silence_ = 0.0;
   record_.holding = false;
   record_.measurement = measurement;
@@ -144,7 +161,7 @@ void Walker::command() noexcept {
     const bool lifts = record_.lifts.contains(i);
     if (!in_air && !lifts) continue;
     record_.footsteps[i] = footstep(*model_, record_.arc, record_.state, i, half_step,
-                                    record_.path_to_come, params_.step.height);
+                                    record_.path_to_come, params_.step);
     executor_.command(record_.footsteps[i], record_.state);
     if (lifts && neighbour_off_ground(i)) record_.rule1_violations.insert(i);
   }

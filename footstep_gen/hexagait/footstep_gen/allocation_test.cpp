@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <hexagait/footstep_gen/walker.hpp>
+#include <limits>
+#include <memory>
+#include <new>
+#include <testing/kinematic_plant.hpp>
+
+// Counts what anyone takes from operator new or gives back.
+
+namespace {
+
+std::atomic<long> allocations = 0, deallocations = 0;
+
+void* counted(std::size_t size) {
+  ++allocations;
+  return std::malloc(size);
+}
+
+}  // namespace
+
+// Not inlined: GCC would see free() meet operator new, and warn.
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  if (void* block = counted(size)) return block;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return counted(size);
+}
+[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t align) {
+  ++allocations;
+  const auto alignment = static_cast<std::size_t>(align);
+  if (void* block = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment))
+    return block;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* block) noexcept {
+  ++deallocations;
+  std::free(block);
+}
+[[gnu::noinline]] void operator delete(void* block, std::size_t) noexcept {
+  ++deallocations;
+  std::free(block);
+}
+[[gnu::noinline]] void operator delete(void* block, std::align_val_t) noexcept {
+  ++deallocations;
+  std::free(block);
+}
+[[gnu::noinline]] void operator delete(void* block, std::size_t, std::align_val_t) noexcept {
+  ++deallocations;
+  std::free(block);
+}
+
+namespace hexagait::footstep_gen {
+namespace {
+
+using heading_control::Heading;
+
+// Does the counter count? (It is out of line, so that no optimiser removes the pair.)
+TEST(Counter, SeesAnAllocation) {
+  const long before = allocations;
+  const auto block = std::make_unique<double>(1.0);
+  EXPECT_EQ(*block, 1.0);
+  EXPECT_EQ(allocations, before + 1);
+}
+
+// 2000 ticks, of which the first is the first after start: headings change, in the middle of steps
+// too, periods are late, the walker stops and goes on and comes to a fault.
+TEST(Walker, NeitherAllocatesNorFreesInATick) {
+  for (const int n : {6, 12}) {
+    const RobotModel robot = testing::robot_of(n);
+    testing::KinematicPlant plant(robot, 0.7, {.seed = 15});
+    RandomSequence random{.seed = 15, .stream = RandomStream::commands};
+    Walker walker(robot);
+    walker.start(plant.measurement);
+    int lifts = 0;
+    const long allocated = allocations, freed = deallocations;
+    Heading heading = Heading::straight(0.0);
+    for (int k = 0; k < 2000; ++k) {
+      if (k % 170 == 0) heading = Heading::arc(random.uniform(0.1, 2.0), random.uniform(-3, 3));
+      if (k % 300 == 299) heading = heading.stopped();
+      const PlantStatus status = k % 50 == 49 ? PlantStatus::late : PlantStatus::fresh;
+      plant.follow(walker.tick(status, plant.measurement, heading), 0.002);
+      lifts += walker.record().lifts.size();
+    }
+    EXPECT_GT(lifts, 10);
+    ASSERT_EQ(walker.record().fault, Fault::none);
+    plant.measurement.q[1][1] = std::numeric_limits<double>::quiet_NaN();
+    walker.tick(PlantStatus::fresh, plant.measurement, heading);
+    EXPECT_EQ(walker.record().fault, Fault::bad_measurement);
+    EXPECT_EQ(allocations, allocated) << n << " legs";
+    EXPECT_EQ(deallocations, freed) << n << " legs";
+  }
+}
+
+}  // namespace
+}  // namespace hexagait::footstep_gen

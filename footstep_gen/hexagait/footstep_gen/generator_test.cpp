@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <array>
+#include <hexagait/footstep_gen/generator.hpp>
+#include <numbers>
+#include <testing/kinematic_plant.hpp>
+
+namespace hexagait::footstep_gen {
+namespace {
+
+using heading_control::Heading;
+using heading_control::PathArc;
+
+constexpr double kPi = std::numbers::pi;
+
+/// Of six feet from their workspace centres [m].
+using Offsets = std::array<Vector3, 6>;
+
+Offsets shift_of_all(const Vector3& offset) {
+  return {offset, offset, offset, offset, offset, offset};
+}
+
+/// A six-legged robot whose feet stand at their workspace centres plus what the test says.
+struct Stance {
+  RobotModel robot = testing::robot_of(6);
+  RobotState state;
+  Executor executor{robot, {}};
+
+  explicit Stance(const Offsets& offset = shift_of_all(Vector3::Zero())) {
+    state.q = state.p_BF = state.p_OF = state.print_O = LegArray<Vector3>(6);
+    state.trig = LegArray<LegTrig>(6);
+    state.contact = LegArray<bool>(6, true);
+    state.X_OB = {rotation_z(0.6), {2.0, -1.0, 0.32}};
+    for (LegId i = 0; i < 6; ++i) {
+      state.p_BF[i] = robot.legs[i].p_BC + offset[static_cast<std::size_t>(i)];
+      state.q[i] = inverse_kinematics(robot.legs[i], state.p_BF[i]).q;
+      state.trig[i] = leg_trig(robot.legs[i], state.q[i]);
+      state.print_O[i] = state.p_OF[i] = state.X_OB * state.p_BF[i];
+    }
+    executor.reset(state);
+  }
+
+  PathArc arc(const Heading& heading) const {
+    return path_arc(heading, heading_control::workspaces(robot));
+  }
+  void lift(std::initializer_list<LegId> legs) {
+    for (const LegId i : legs) executor.command(Footstep{i, state.p_OF[i]}, state);
+  }
+};
+
+/// The same offset for all feet.
+Stance shifted(const Vector3& offset) { return Stance(shift_of_all(offset)); }
+
+// Straight on, a foot 5 cm behind its centre lags by 5 cm of path; one 5 cm ahead by −5 cm. A leg
+// is urgent from 80 % of its radius on, 0.8 · 0.22 = 0.176 m, behind only.
+TEST(GaitInput, SaysHowFarFeetLagAndWhichOnesMustGo) {
+  Offsets offset = shift_of_all(Vector3::Zero());
+  offset[0].x() = -0.05, offset[1].x() = 0.05, offset[2].x() = -0.170, offset[3].x() = -0.181;
+  offset[4].x() = 0.19;
+  Stance stance(offset);
+  stance.lift({5});
+  const auto input =
+      gait_input(stance.robot, stance.arc(Heading::straight(0.0)), stance.executor, {});
+  for (LegId i = 0; i < 6; ++i) EXPECT_NEAR(input.lag[i], -offset[static_cast<std::size_t>(i)].x(), 1e-12);
+  EXPECT_EQ(input.urgent, LegSet(0b001000));
+  EXPECT_EQ(input.airborne, LegSet(0b100000)) << "from the command to lift on";
+  const auto back =
+      gait_input(stance.robot, stance.arc(Heading::straight(kPi)), stance.executor, {});
+  EXPECT_EQ(back.urgent, LegSet(0b010000));
+}
+
+// [PC04] 3 straight on, all feet at their centres: nothing to come while they stand. With a tripod
+// in the air bound for its AEP, h ahead, Σ lag = −3 h over 3 support legs: the body advances by h.
+TEST(PathToCome, IsTheAdvanceThatTheFeetInTheAirWillAskFor) {
+  Stance stance;
+  const PathArc arc = stance.arc(Heading::straight(0.3));
+  EXPECT_NEAR(path_to_come(arc, stance.executor, stance.state, 0.1), 0.0, 1e-12);
+  stance.lift({0, 3, 4});
+  EXPECT_NEAR(path_to_come(arc, stance.executor, stance.state, 0.1), 0.1, 1e-12);
+  EXPECT_NEAR(path_to_come(arc, stance.executor, stance.state, 0.0), 0.0, 1e-12) << "stopped";
+}
+
+// One leg in the air, five behind by b: Σ lag = 5 b − h, over 5: never backwards.
+TEST(PathToCome, IsNeverNegative) {
+  Stance stance = shifted({-0.05, 0.0, 0.0});
+  stance.lift({2});
+  const PathArc arc = stance.arc(Heading::straight(0.0));
+  EXPECT_EQ(path_to_come(arc, stance.executor, stance.state, 0.1), 0.0);
+  Stance ahead = shifted({0.05, 0.0, 0.0});
+  ahead.lift({2});
+  EXPECT_NEAR(path_to_come(arc, ahead.executor, ahead.state, 0.1), (0.25 + 0.1) / 5.0, 1e-12);
+}
+
+// AEP = M(s) c, s the half step and what is still to come, in odom; the height is that of the last
+// footprint. Half a step is no more than half of the leg's radius.
+TEST(FootstepOf, IsTheAnteriorExtremePositionTakenAlong) {
+  Stance stance;
+  stance.state.print_O[1].z() = 0.07;
+  for (const Heading& heading : {Heading::straight(0.5), Heading::arc(0.9, -0.4),
+                                 Heading::spin(heading_control::Turn::cw)}) {
+    const PathArc arc = stance.arc(heading);
+    const Footstep step = footstep(stance.robot, arc, stance.state, 1, 0.1, 0.03, {});
+    const PlanarPose M = exponential(arc.per_metre, 0.13);
+    const Vector3& c = stance.robot.legs[1].p_BC;
+    const Vector2 aep = M * Vector2(c.head<2>());
+    const Vector3 expected = stance.state.X_OB * Vector3(aep.x(), aep.y(), c.z());
+    EXPECT_EQ(step.leg, 1);
+    EXPECT_LT((step.p_OT - expected).head<2>().norm(), 1e-12);
+    EXPECT_EQ(step.p_OT.z(), 0.07);
+  }
+  const PathArc arc = stance.arc(Heading::straight(0.0));
+  const Footstep longest = footstep(stance.robot, arc, stance.state, 1, 9.0, 0.0, {});
+  const Vector3 centre = stance.state.X_OB * stance.robot.legs[1].p_BC;
+  EXPECT_NEAR((longest.p_OT - centre).head<2>().norm(), 0.5 * stance.robot.legs[1].workspace_radius,
+              1e-12);
+}
+
+// Clearance 10 cm on the flat, also for the leg that stands highest; 0.7 more per metre by which
+// the highest footprint is above its own: 0.1 + 0.7 · 0.08 = 0.156; at most 0.22.
+TEST(FootstepOf, GoesHigherWhereAnotherFootStandsHigher) {
+  Stance stance;
+  const StepParams params{.height = 0.1, .roughness_gain = 0.7, .max_height = 0.22};
+  const auto clearance = [&](LegId leg) {
+    const PathArc arc = stance.arc(Heading::straight(0.0));
+    return footstep(stance.robot, arc, stance.state, leg, 0.1, 0.0, params).profile_height;
+  };
+  EXPECT_NEAR(clearance(2), 0.1, 1e-12);
+  const double ground = stance.state.print_O[2].z();
+  stance.state.print_O[5].z() = ground + 0.08;
+  EXPECT_NEAR(clearance(2), 0.156, 1e-12);
+  EXPECT_NEAR(clearance(5), 0.1, 1e-12);
+  stance.state.print_O[5].z() = ground + 0.5;
+  EXPECT_NEAR(clearance(2), 0.22, 1e-12);
+}
+
+TEST(FootstepOf, IsTheWorkspaceCentreWhenStopped) {
+  Stance stance;
+  const PathArc arc = stance.arc(Heading::straight(0.5).stopped());
+  const Footstep step = footstep(stance.robot, arc, stance.state, 2, 0.0, 0.0, {});
+  EXPECT_LT((step.p_OT - stance.state.X_OB * stance.robot.legs[2].p_BC).head<2>().norm(), 1e-12);
+}
+
+// Straight on, feet b behind their centres: the chord of the usable disc, 0.98 · 0.22 m, from
+// there.
+TEST(BaseCommand, KeepsSupportLegsWithinTheirWorkspaces) {
+  for (const Vector3& offset :
+       {Vector3(0.0, 0.0, 0.0), Vector3(-0.1, 0.05, 0.0), Vector3(0.12, -0.09, 0.0)}) {
+    Stance stance = shifted(offset);
+    const BaseAuto base = base_auto(stance.robot, stance.arc(Heading::straight(0.0)),
+                                    stance.executor, {}, {.stability_margin = 0.0});
+    const double usable = 0.98 * stance.robot.legs[0].workspace_radius;
+    const double chord = offset.x() + std::sqrt(usable * usable - offset.y() * offset.y());
+    EXPECT_NEAR(base.max_advance, chord, 1e-12);
+  }
+}
+
+// Front and middle legs on the ground, rear legs in the air: the centre of mass at the middle legs'
+// x = 0 is on the rear edge. Going ahead is limited by the workspaces, back by the edge.
+TEST(BaseCommand, KeepsTheCentreOfMassWithinTheFeet) {
+  Stance stance;
+  stance.lift({4, 5});
+  const auto limit = [&](double alpha, double margin) {
+    return base_auto(stance.robot, stance.arc(Heading::straight(alpha)), stance.executor, {},
+                     {.stability_margin = margin})
+        .max_advance;
+  };
+  EXPECT_NEAR(limit(kPi, 0.0), 0.0, 1e-9);
+  EXPECT_EQ(limit(kPi, 0.03), 0.0) << "not negative";
+  EXPECT_NEAR(limit(0.0, 0.03), 0.98 * stance.robot.legs[0].workspace_radius, 1e-9);
+}
+
+// Where only the polygon limits: the front edge is at the front feet's x = 0.35, the centre of mass
+// at 0 stops 0.25 m before it. (Half a metre of margin would leave nothing.)
+TEST(BaseCommand, KeepsItsMarginFromTheEdgeAhead) {
+  Stance stance;
+  const double x_front = stance.robot.legs[0].p_BC.x();
+  const BaseAuto base = base_auto(stance.robot, stance.arc(Heading::straight(0.0)), stance.executor,
+                                  {}, {.stability_margin = x_front - 0.1});
+  EXPECT_NEAR(base.max_advance, 0.1, 1e-9);
+}
+
+// The pose adaptation: feet ahead by d ask for an advance by d, feet low by h for a body lower by h
+// (the footprints follow the body).
+TEST(BaseCommand, AsksForTheBodyToBeOverItsFeet) {
+  Stance stance = shifted({0.06, 0.0, -0.02});
+  const BaseAuto base = base_auto(stance.robot, stance.arc(Heading::straight(0.0)), stance.executor,
+                                  {{0.01, 0.02}, 0.03}, {});
+  const BaseGoal goal = base.adaptation(base, stance.executor.pose_adaptation_input(stance.state));
+  EXPECT_NEAR(goal.advance, 0.06, 1e-12);
+  EXPECT_NEAR(goal.height, -0.02, 1e-12);
+  EXPECT_NEAR(goal.roll, 0.0, 1e-12);
+  EXPECT_NEAR(goal.pitch, 0.0, 1e-12);
+  EXPECT_EQ(base.correction.w, 0.03);
+}
+
+// Mirrored: the turn's sign, y of feet and footholds.
+TEST(FootstepOf, MirrorsLeftAndRight) {
+  Stance stance;
+  const PathArc left = stance.arc(Heading::arc(0.8, 0.3)),
+                right = stance.arc(Heading::arc(-0.8, -0.3));
+  stance.state.X_OB = Pose{};
+  for (LegId i = 0; i < 6; i += 2) {
+    const Vector3 a = footstep(stance.robot, left, stance.state, i, 0.1, 0.02, {}).p_OT;
+    const Vector3 b = footstep(stance.robot, right, stance.state, i + 1, 0.1, 0.02, {}).p_OT;
+    EXPECT_LT((a - Vector3(b.x(), -b.y(), b.z())).head<2>().norm(), 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace hexagait::footstep_gen

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <hexagait/footstep_gen/walker.hpp>
+#include <limits>
+#include <testing/kinematic_plant.hpp>
+
+namespace hexagait::footstep_gen {
+namespace {
+
+using heading_control::Heading;
+
+constexpr double kDt = 0.002;
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+const RobotModel& argos() {
+  static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  return model;
+}
+
+struct Walk {
+  Walker walker{argos()};
+  testing::KinematicPlant plant{argos(), 0.5, {.seed = 13}};
+
+  Walk() { walker.start(plant.measurement); }
+  const TickRecord& tick(const Heading& heading = Heading::arc(1.5, 0.2)) {
+    const TickRecord& record = walker.tick(PlantStatus::fresh, plant.measurement, heading);
+    plant.follow(record, kDt);
+    return record;
+  }
+  void walk(int ticks) {
+    for (int k = 0; k < ticks; ++k) tick();
+  }
+};
+
+bool same(const JointTargets& a, const JointTargets& b) {
+  for (LegId i = 0; i < 6; ++i)
+    if (a.q[i] != b.q[i] || a.qd[i] != b.qd[i] || a.effort[i] != b.effort[i]) return false;
+  return true;
+}
+
+bool finite(const JointTargets& targets) {
+  for (LegId i = 0; i < 6; ++i)
+    if (!targets.q[i].allFinite() || !targets.qd[i].allFinite() || !targets.effort[i].allFinite())
+      return false;
+  return true;
+}
+
+/// The targets stay as they are and finite, without velocity, whatever comes.
+void expect_stopped_for_good(Walk walk, Fault fault) {
+  EXPECT_EQ(walk.walker.record().fault, fault);
+  const JointTargets targets = walk.walker.record().targets;
+  EXPECT_TRUE(finite(targets));
+  for (const LegJoints& qd : targets.qd) EXPECT_EQ(qd.norm(), 0.0);
+  for (int k = 0; k < 200; ++k) {
+    const TickRecord& record = walk.tick(k % 2 == 0 ? Heading::straight(0.0) : Heading::stop());
+    ASSERT_EQ(record.fault, fault) << "the first fault stays";
+    ASSERT_TRUE(same(record.targets, targets));
+  }
+}
+
+// Wherever in a step it comes: set points are those of the tick before.
+TEST(WalkerFault, StopsAtOnceAtANumberThatIsNone) {
+  for (int ticks = 1; ticks < 800; ticks += 61) {
+    for (const double bad : {kNan, std::numeric_limits<double>::infinity()}) {
+      Walk walk;
+      walk.walk(ticks);
+      const LegArray<LegJoints> q = walk.walker.record().targets.q;
+      walk.plant.measurement.q[ticks % 6][ticks % 3] = bad;
+      walk.walker.tick(PlantStatus::fresh, walk.plant.measurement, Heading::straight(0.0));
+      for (LegId i = 0; i < 6; ++i) ASSERT_EQ(walk.walker.record().targets.q[i], q[i]);
+      walk.plant.measurement.q[ticks % 6][ticks % 3] = 0.0;
+      expect_stopped_for_good(walk, Fault::bad_measurement);
+    }
+  }
+}
+
+TEST(WalkerFault, StopsAtAMeasurementOfAnotherRobot) {
+  const RobotModel four_legged = testing::robot_of(4);
+  const Measurement other = testing::KinematicPlant(four_legged, 0.0, {}).measurement;
+  for (int spoilt = 0; spoilt < 4; ++spoilt) {
+    Walk walk;
+    walk.walk(300);
+    Measurement measurement = walk.plant.measurement;
+    if (spoilt == 0) measurement.q = other.q;
+    if (spoilt == 1) measurement.contact = other.contact;
+    if (spoilt == 2) measurement.contact = {};
+    if (spoilt == 3) measurement.time = kNan;
+    walk.walker.tick(PlantStatus::fresh, measurement, Heading::straight(0.0));
+    expect_stopped_for_good(walk, Fault::bad_measurement);
+  }
+}
+
+// The start is no exception: no target that isn't finite leaves the walker, and it doesn't walk.
+TEST(WalkerFault, DoesNotStartFromANumberThatIsNone) {
+  Walk walk;
+  Measurement measurement = walk.plant.measurement;
+  measurement.q[4][1] = kNan;
+  walk.walker.start(measurement);
+  EXPECT_EQ(walk.walker.record().fault, Fault::bad_measurement);
+  expect_stopped_for_good(walk, Fault::bad_measurement);
+  walk.walker.start(walk.plant.measurement);
+  EXPECT_EQ(walk.tick().fault, Fault::none) << "a new start clears it";
+}
+
+// Late for up to late_limit = 0.1 s = 50 periods: all holds, and then goes on.
+TEST(WalkerFault, HoldsWhileThePlantIsLateAndGoesOn) {
+  Walk walk;
+  walk.walk(333);
+  for (int k = 0; k < 49; ++k) {
+    const JointTargets before = walk.walker.record().targets;
+    const TickRecord& record =
+        walk.walker.tick(PlantStatus::late, walk.plant.measurement, Heading::straight(0.0));
+    ASSERT_TRUE(record.holding);
+    ASSERT_EQ(record.fault, Fault::none);
+    for (LegId i = 0; i < 6; ++i) ASSERT_EQ(record.targets.q[i], before.q[i]);
+    for (const LegJoints& qd : record.targets.qd) ASSERT_EQ(qd.norm(), 0.0);
+  }
+  const double x = walk.plant.X_OB.p.norm();
+  for (int k = 0; k < 2000; ++k) ASSERT_FALSE(walk.tick().holding);
+  EXPECT_EQ(walk.walker.record().fault, Fault::none);
+  EXPECT_GT(std::abs(walk.plant.X_OB.p.norm() - x), 0.05) << "walks again";
+}
+
+TEST(WalkerFault, GivesUpWhenThePlantIsLateForTooLong) {
+  Walk walk;
+  walk.walk(333);
+  int periods = 0;
+  while (walk.walker.record().fault == Fault::none && periods < 1000) {
+    walk.walker.tick(PlantStatus::late, walk.plant.measurement, Heading::straight(0.0));
+    ++periods;
+  }
+  EXPECT_NEAR(periods * kDt, walk.walker.params().late_limit, 1.5 * kDt);
+  expect_stopped_for_good(walk, Fault::plant_late);
+}
+
+// Single late periods, half of them all, are no silence.
+TEST(WalkerFault, ForgivesLatePeriodsThatAreNotInARow) {
+  Walk walk;
+  for (int k = 0; k < 1000; ++k) {
+    walk.walker.tick(PlantStatus::late, walk.plant.measurement, Heading::straight(0.0));
+    ASSERT_EQ(walk.tick().fault, Fault::none);
+  }
+}
+
+TEST(WalkerFault, StopsWhenThePlantIsClosed) {
+  Walk walk;
+  walk.walk(333);
+  walk.walker.tick(PlantStatus::closed, walk.plant.measurement, Heading::straight(0.0));
+  expect_stopped_for_good(walk, Fault::plant_closed);
+}
+
+TEST(WalkerFault, StopsInAnEmergency) {
+  Walk walk;
+  walk.walk(333);
+  walk.walker.emergency_stop();
+  expect_stopped_for_good(walk, Fault::emergency_stop);
+}
+
+// The same bits from the same measurements, and from a copy made in the middle of a step.
+TEST(WalkerDeterminism, GivesTheSameBitsTwiceAndFromACopy) {
+  Walk one, other;
+  RandomSequence random{.seed = 14, .stream = RandomStream::commands};
+  Heading heading = Heading::straight(0.0);
+  for (int k = 0; k < 5000; ++k) {
+    if (k % 400 == 0) heading = Heading::arc(random.uniform(0.2, 3.0), random.uniform(-3.1, 3.1));
+    if (k == 2345) other = one;
+    ASSERT_TRUE(same(one.tick(heading).targets, other.tick(heading).targets)) << "tick " << k;
+  }
+}
+
+TEST(WalkerDeterminism, StartsAfreshFromWhateverState) {
+  Walk used, fresh;
+  used.walk(1234);
+  used.walker.start(fresh.plant.measurement);
+  used.plant = fresh.plant;
+  for (int k = 0; k < 2000; ++k) ASSERT_TRUE(same(used.tick().targets, fresh.tick().targets));
+}
+
+}  // namespace
+}  // namespace hexagait::footstep_gen

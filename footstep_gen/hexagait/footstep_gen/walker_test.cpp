@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <hexagait/footstep_gen/walker.hpp>
+#include <hexagait/heading_control/twist.hpp>
+#include <limits>
+#include <testing/kinematic_plant.hpp>
+#include <vector>
+
+namespace hexagait::footstep_gen {
+namespace {
+
+using heading_control::Heading;
+using heading_control::Turn;
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kDt = 0.002;
+
+const RobotModel& argos() {
+  static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  return model;
+}
+
+/// Rule 1 in its own words: who stands beside whom, for n legs in two rows.
+bool are_neighbours(LegId a, LegId b, int n) {
+  const bool same_side = a % 2 == b % 2, same_pair = a / 2 == b / 2;
+  const bool end_pair = a / 2 == 0 || a / 2 == n / 2 - 1;
+  return same_side ? std::abs(a - b) == 2 : same_pair && end_pair;
+}
+
+struct Lift {
+  double time;
+  LegId leg;
+};
+
+/// A walker in the kinematic world, and who lifted when. A value.
+struct Walk {
+  Walker walker;
+  testing::KinematicPlant plant;
+  std::vector<Lift> lifts;
+  LegArray<double> longest_wait;  ///< between two lifts of a leg [s]
+  LegArray<double> last_lift;
+
+  explicit Walk(const RobotModel& model, double spread = 0.8, std::uint32_t trial = 0,
+                const WalkerParams& params = {})
+      : walker(model, params),
+        plant(model, spread, {.seed = 11, .stream = RandomStream::posture, .trial = trial}),
+        longest_wait(model.num_legs(), 0.0),
+        last_lift(model.num_legs(), 0.0) {
+    walker.start(plant.measurement);
+  }
+
+  const TickRecord& tick(const Heading& heading) {
+    const LegArray<LegLane> before = walker.record().legs;
+    const TickRecord& record = walker.tick(PlantStatus::fresh, plant.measurement, heading);
+    check_rule_1(before, record);
+    plant.follow(record, kDt);
+    for (LegId i = 0; i < before.size(); ++i) {
+      if (record.lifts.contains(i)) {
+        lifts.push_back({record.state.time, i});
+        last_lift[i] = record.state.time;
+      }
+      longest_wait[i] = std::max(longest_wait[i], record.state.time - last_lift[i]);
+    }
+    return record;
+  }
+
+  void walk(const Heading& heading, double seconds) {
+    for (int k = 0; k < std::lround(seconds / kDt); ++k) tick(heading);
+  }
+
+  /// No leg lifts beside one that doesn't stand, nor together with a neighbour; and at no time are
+  /// two neighbours off the ground.
+  void check_rule_1(const LegArray<LegLane>& before, const TickRecord& record) const {
+    ASSERT_EQ(record.fault, Fault::none);
+    ASSERT_TRUE(record.rule1_violations.empty());
+    const auto stands = [&](const LegLane& lane) {
+      return lane.phase == LegPhase::support &&
+             lane.without_contact <= walker.params().executor.swing.lost_time;
+    };
+    for (LegId a = 0; a < before.size(); ++a) {
+      for (LegId b = 0; b < before.size(); ++b) {
+        if (!are_neighbours(a, b, before.size())) continue;
+        ASSERT_TRUE(stands(record.legs[a]) || stands(record.legs[b])) << a << " and " << b;
+        if (!record.lifts.contains(a)) continue;
+        ASSERT_TRUE(stands(before[b])) << a << " lifts beside " << b;
+        ASSERT_FALSE(record.lifts.contains(b)) << a << " lifts with " << b;
+      }
+    }
+  }
+
+  double odometry_error() const { return (walker.record().state.X_OB.p - plant.X_OB.p).norm(); }
+  Vector2 place() const { return plant.X_OB.p.head<2>(); }
+};
+
+Heading random_heading(RandomSequence& random) {
+  const double kind = random.u01(), alpha = random.uniform(-kPi, kPi);
+  if (kind < 0.1) return Heading::straight(alpha);
+  if (kind < 0.2) return Heading::spin(alpha < 0.0 ? Turn::cw : Turn::ccw);
+  const double r = std::exp(random.uniform(std::log(0.05), std::log(20.0)));
+  return Heading::arc(kind < 0.6 ? r : -r, alpha);
+}
+
+const std::vector<Heading> kHeadings = {Heading::straight(0.0),       Heading::straight(kPi),
+                                        Heading::straight(0.5 * kPi), Heading::arc(1.0, 0.0),
+                                        Heading::arc(-0.7, 1.0),      Heading::spin(Turn::ccw),
+                                        Heading::spin(Turn::cw),      Heading::arc(0.3, 0.0)};
+
+// The first index from which on the lifts come in threes that are alternately the one and the other
+// tripod, to the end; their number if they don't.
+std::size_t tripod_from(const std::vector<Lift>& lifts) {
+  const auto tripod = [&](std::size_t k) {
+    LegSet legs;
+    for (std::size_t i = k; i < k + 3; ++i) legs.insert(lifts[i].leg);
+    return legs.bits();
+  };
+  constexpr std::uint32_t kFirst = 0b011001, kSecond = 0b100110;  // 0 3 4 and 1 2 5
+  std::size_t from = lifts.size();
+  for (std::size_t start = 0; start < 3; ++start) {
+    std::size_t k = start + (lifts.size() - start) / 3 * 3, good = lifts.size();
+    for (std::uint32_t after = 0; k >= start + 3; k -= 3) {
+      const std::uint32_t now = tripod(k - 3);
+      if ((now != kFirst && now != kSecond) || now == after) break;
+      after = now;
+      good = k - 3;
+    }
+    from = std::min(from, good);
+  }
+  return from;
+}
+
+// [PC04] 3.2: from every start. The transient of the model is below n/2 step times, in each of
+// which at most n/2 legs lift: 9 lifts; in continuous time and with feet anywhere, 25 is the claim.
+TEST(WalkerGait, BecomesTheTripodWithinTwentyFiveLiftsFromAnyPosture) {
+  for (std::uint32_t trial = 0; trial < 20; ++trial) {
+    Walk walk(argos(), 0.8, trial);
+    const Heading heading = kHeadings[trial % kHeadings.size()];
+    walk.walk(heading, 30.0);
+    ASSERT_GT(walk.lifts.size(), 60U) << trial;
+    EXPECT_LE(tripod_from(walk.lifts), 25U) << "trial " << trial;
+  }
+}
+
+// Two rings beside six: rule 1 is checked at every tick. With n legs, n/2 in the air at a time,
+// each leg lifts every 2 T, T < 1.2 s.
+TEST(WalkerGait, WalksOnAnyEvenNumberOfLegs) {
+  for (const int n : {4, 6, 8, 10, 12}) {
+    const RobotModel model = testing::robot_of(n);
+    for (std::uint32_t trial = 0; trial < 3; ++trial) {
+      Walk walk(model, 0.7, trial);
+      walk.walk(Heading::straight(0.0), 20.0);
+      EXPECT_GT(walk.place().x(), 2.0) << n << " legs";
+      EXPECT_LT(std::abs(walk.place().y()), 0.05) << n << " legs";
+      walk.longest_wait = LegArray<double>(n, 0.0);
+      walk.walk(Heading::arc(1.0, 0.3), 20.0);
+      for (LegId i = 0; i < n; ++i) EXPECT_LT(walk.longest_wait[i], 2.0 * 2.4) << n << " " << i;
+    }
+  }
+}
+
+// With one leg in the air at a time, the slowest of all gaits, each of n legs lifts every n T,
+// T ≈ 0.85 s for a step in the air and its ramps of load: 5.1 s.
+constexpr double kLongestWait = 6 * 0.85;
+
+// r = cot χ: from a spin over all arcs to the left, the straight line, all arcs to the right, the
+// other spin, and backwards round to the first: every r, each twice, with o passing through the
+// workspaces of both sides' middle legs.
+TEST(WalkerGait, LetsNoLegStarveWhileTheRadiusSweepsThroughAllValues) {
+  Walk walk(argos());
+  walk.walk(Heading::spin(Turn::ccw), 5.0);
+  walk.longest_wait = LegArray<double>(6, 0.0);
+  for (int k = 0; k < 60000; ++k) {
+    const double chi = 0.5 * kPi - 2.0 * kPi * k / 60000.0;
+    walk.tick(Heading::along({0.5 * std::cos(chi), 0.0}, std::sin(chi)));
+    if (HasFatalFailure()) return;
+  }
+  for (LegId i = 0; i < 6; ++i) EXPECT_LT(walk.longest_wait[i], kLongestWait) << "leg " << i;
+}
+
+// From r = 2 m to 0.1 m, across the spin to −0.1 m, and on to −2 m: 60 s a sweep, for three crab
+// angles. The turning centre goes straight through the legs' workspaces.
+TEST(WalkerGait, LetsNoLegStarveWhileTheTurningCentreCrossesTheWorkspaces) {
+  for (const double alpha : {0.0, 0.5 * kPi, 2.0}) {
+    Walk walk(argos());
+    walk.walk(Heading::arc(2.0, alpha), 5.0);
+    walk.longest_wait = LegArray<double>(6, 0.0);
+    for (int k = 0; k < 30000; ++k) {
+      const double r = 2.0 * std::pow(0.05, std::min(1.0, k / 15000.0));
+      const double back = -0.1 * std::pow(20.0, (k - 15000) / 15000.0);
+      walk.tick(Heading::arc(k < 15000 ? r : back, alpha));
+      if (HasFatalFailure()) return;
+    }
+    for (LegId i = 0; i < 6; ++i) EXPECT_LT(walk.longest_wait[i], kLongestWait) << "leg " << i;
+  }
+}
+
+// [PC04] 5: as fast as a joystick is moved. Rule 1 and no fault: at each tick, by Walk.
+TEST(WalkerGait, ObeysAnyHeadingEverySecondForTwoMinutes) {
+  RandomSequence random{.seed = 12, .stream = RandomStream::commands};
+  Walk walk(argos());
+  for (int second = 0; second < 120; ++second) {
+    walk.walk(random_heading(random), 1.0);
+    if (HasFatalFailure()) return;
+    const double tilt = std::acos(std::min(1.0, walk.plant.X_OB.R(2, 2)));
+    ASSERT_LT(tilt, 0.02);
+    ASSERT_NEAR(walk.plant.X_OB.p.z(), 0.32, 0.01);
+  }
+  for (LegId i = 0; i < 6; ++i) EXPECT_LT(walk.longest_wait[i], 2.0 * kLongestWait);
+}
+
+// The plant is the executor's own idea of the world, so that what is left is the integration of
+// odometry, with feet that roll, lift and land 0.16 mm deep at most: 2 % of a step of 20 cm would
+// be 4 mm per step.
+TEST(WalkerOdometry, KnowsWhereTheRobotIsAfterAMinute) {
+  for (const Heading& heading : kHeadings) {
+    Walk walk(argos());
+    walk.walk(heading, 60.0);
+    EXPECT_LT(walk.odometry_error(), 0.02);
+  }
+}
+
+TEST(WalkerSteering, TakesEffectInTheSameTick) {
+  Walk walk(argos());
+  walk.walk(Heading::straight(0.0), 3.0);
+  const Heading left = Heading::arc(0.8, 0.4);
+  const PlanarTwist before = walk.walker.record().base_auto.path;
+  const TickRecord& record = walk.tick(left);
+  EXPECT_EQ(record.heading, left);
+  const auto arc = path_arc(left, heading_control::workspaces(argos()));
+  EXPECT_EQ(record.arc.per_metre.v, arc.per_metre.v);
+  EXPECT_EQ(record.base_auto.path.v, arc.per_metre.v);
+  EXPECT_EQ(record.base_auto.path.w, arc.per_metre.w);
+  EXPECT_NE(record.base_auto.path.w, before.w);
+  for (LegId i = 0; i < 6; ++i)
+    EXPECT_EQ(record.gait_input.lag[i] == 0.0, false) << "lags are along the new arc";
+}
+
+// The body goes where it is told: along α, round to the left for r > 0, on the spot.
+TEST(WalkerSteering, GoesWhereTheHeadingPoints) {
+  for (const double alpha : {0.0, 0.8, kPi, -2.0}) {
+    Walk walk(argos(), 0.0);
+    walk.walk(Heading::straight(alpha), 20.0);
+    const Vector2 ahead(std::cos(alpha), std::sin(alpha));
+    EXPECT_GT(walk.place().dot(ahead), 1.5) << alpha;
+    EXPECT_LT(std::abs(cross(ahead, walk.place())), 0.02) << alpha;
+  }
+  for (const double r : {0.8, -0.8}) {  // never off the circle about (0, r)
+    Walk walk(argos(), 0.0);
+    for (int second = 0; second < 20; ++second) {
+      walk.walk(Heading::arc(r, 0.0), 1.0);
+      ASSERT_NEAR((walk.place() - Vector2(0.0, r)).norm(), std::abs(r), 0.02);
+    }
+    EXPECT_GT(walk.plant.X_OB.R(1, 0) * r, -1.0);
+  }
+  Walk walk(argos(), 0.0);
+  walk.walk(Heading::spin(Turn::ccw), 3.0);
+  EXPECT_LT(walk.place().norm(), 0.02);
+  EXPECT_GT(walk.plant.X_OB.R(1, 0), 0.2);
+}
+
+// Steps under way are ended within one step time, then the body settles over its feet.
+TEST(WalkerStop, ComesToRestWithAllFeetDown) {
+  for (const Heading& heading : kHeadings) {
+    Walk walk(argos());
+    walk.walk(heading, 7.3);
+    walk.walk(heading.stopped(), 4.0);
+    const TickRecord& record = walk.walker.record();
+    for (LegId i = 0; i < 6; ++i) {
+      EXPECT_EQ(record.legs[i].phase, LegPhase::support);
+      EXPECT_TRUE(record.measurement.contact[i]);
+      EXPECT_LT(record.targets.qd[i].norm(), 1e-3);
+    }
+    EXPECT_LT(record.base.planar.v.norm(), 1e-3);
+    EXPECT_LT(std::abs(record.base.planar.w), 1e-3);
+    EXPECT_TRUE(record.lifts.empty());
+  }
+}
+
+TEST(WalkerStop, DoesNotStepBeforeItIsToldToGo) {
+  Walk walk(argos());
+  walk.walk(Heading::stop(), 3.0);
+  EXPECT_TRUE(walk.lifts.empty());
+}
+
+// What is not measured is taken to go as planned, which in this world it does: the robot gets
+// within 20 % as far.
+TEST(WalkerSensors, AreNotNeededToWalk) {
+  Walk complete(argos());
+  complete.walk(Heading::arc(2.0, 0.0), 20.0);
+  for (const SensorMask mask : {SensorMask{true, false}, {false, true}, {false, false}}) {
+    WalkerParams params;
+    params.sensors = mask;
+    Walk walk(argos(), 0.8, 0, params);
+    walk.walk(Heading::arc(2.0, 0.0), 20.0);
+    EXPECT_GT(walk.lifts.size(), 40U);
+    EXPECT_LT((walk.place() - complete.place()).norm(), 0.2 * complete.place().norm());
+  }
+}
+
+}  // namespace
+}  // namespace hexagait::footstep_gen
