@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <hexagait/core/executor.hpp>
 #include <hexagait/core/load_sharing.hpp>
+#include <limits>
 
 namespace hexagait {
 

@@ -78,6 +78,15 @@ PlanarTwist random_path(RandomSequence& random) {
   return {{std::cos(angle), std::sin(angle)}, random.uniform(-2.0, 2.0)};
 }
 
+// At the start, and with the first tick: nothing to confirm, nothing in the air.
+TEST(Executor, StandsOnAllFeetFromTheReset) {
+  const RobotModel model = argos();
+  Scene scene(model);
+  EXPECT_EQ(scene.executor.support(), LegSet::all(6));
+  scene.tick();
+  EXPECT_EQ(scene.executor.support(), LegSet::all(6));
+}
+
 // (executor 1) is a rigid motion, cut after the second order: |V dt|³/6 < 1e-9 m a tick.
 TEST(Executor, KeepsTheDistancesOfStandingFeetUnderAnyBaseMotion) {
   const RobotModel model = argos();

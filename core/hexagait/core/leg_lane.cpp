@@ -83,7 +83,8 @@ void land(LegLane& lane) {
   lane.v_O.setZero();
   lane.a_O.setZero();
   lane.without_contact = 0.0;
-  lane.touched_down = true;
+  lane.with_contact = 0.0;
+  lane.confirmed = false;
 }
 
 // Back where it came from and up; the next try goes higher, and after two tries less far.
@@ -99,7 +100,11 @@ void support(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB
   lane.without_contact = sensed.contact ? 0.0 : lane.without_contact + dt;
   const bool lost = lane.without_contact > params.lost_time;
   ramp(lane.load, lost ? 0.0 : 1.0, dt / params.load_time);
-  if (lane.without_contact > params.regain_time) {
+  if (!lane.confirmed) {
+    lane.with_contact = sensed.contact ? lane.with_contact + dt : 0.0;
+    lane.confirmed = lane.touched_down = lane.with_contact >= params.confirm_time;
+  }
+  if (lane.without_contact > (lane.confirmed ? params.regain_time : params.lost_time)) {
     begin_step(lane, LegPhase::descend, X_OB);
     lane.cleared = true;
     lane.step.p_OT = lane.p_OL;

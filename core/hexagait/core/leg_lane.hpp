@@ -49,6 +49,10 @@ struct SwingParams {
   /// edge stops a leg without any contact at its foot [m].
   double blocked_error = 0.03;
   double retreat_time = 0.15;  ///< [s]
+  /// A landed foot counts as support once it has kept contact for so long; until then its
+  /// neighbours stay down. Shorter: a foot that bounces or scrapes along an edge is trusted, and
+  /// the body drops when its neighbours lift [s].
+  double confirm_time = 0.02;
   /// A support leg without contact for this long counts as off the ground [s] …
   double lost_time = 0.03;
   /// … and for this long goes down to find it again [s].
@@ -61,6 +65,8 @@ struct LegLane {
   double time = 0.0;               ///< in this phase [s]
   double load = 1.0;               ///< share of its load that it carries, 0 … 1
   double without_contact = 0.0;    ///< [s]
+  double with_contact = 0.0;       ///< until confirmed [s]
+  bool confirmed = true;           ///< the foothold has held contact for confirm_time
   Vector3 p_BF = Vector3::Zero();  ///< set point of the foot, body frame [m]
   Vector3 v_O = Vector3::Zero();   ///< its velocity over the ground, odom axes [m/s]
   Vector3 a_O = Vector3::Zero();   ///< its acceleration over the ground [m/s²]
@@ -71,7 +77,7 @@ struct LegLane {
   bool cleared = false;            ///< contact was lost since the lift
   int retreats = 0;                ///< collisions of this step
   double reach_share = 1.0;        ///< of the way to the foothold, reduced when it can't be had
-  bool touched_down = false;       ///< landed in this tick
+  bool touched_down = false;       ///< counts as support since this tick
   bool lifted = false;             ///< left support in this tick
 
   /// The foot stands where it is, loaded or not.
@@ -81,7 +87,7 @@ struct LegLane {
 
   /// Counts as a leg on the ground for rule 1.
   [[nodiscard]] bool supports(const SwingParams& params) const {
-    return phase == LegPhase::support && without_contact <= params.lost_time;
+    return phase == LegPhase::support && confirmed && without_contact <= params.lost_time;
   }
 };
 
@@ -89,7 +95,7 @@ struct LegLane {
 struct LegSensed {
   bool contact = false;
   double tracking_error = 0.0;  ///< distance of the measured foot from its set point [m]
-  bool reachable = true;  ///< the last set point was within the leg's reach
+  bool reachable = true;        ///< the last set point was within the leg's reach
 };
 
 /// Starts a step, or replaces the target of the one in progress.

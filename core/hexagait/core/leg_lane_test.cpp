@@ -22,6 +22,7 @@ struct Swing {
 
   explicit Swing(const Vector3& start_O = {1.3, -1.6, 0.0}) {
     lane.p_BF = kBody.inverse() * start_O;
+    lane.time = 1.0;  // it stands there for a while already
   }
   Vector3 foot() const { return kBody * lane.p_BF; }
   void command(const Vector3& target_O) { hexagait::command(lane, {0, target_O, 0.1}, kBody); }
@@ -64,7 +65,26 @@ TEST(Swing, LandsOnItsFootholdWithinTwoMillimetres) {
   EXPECT_LT(planar_distance(swing.foot(), kTarget), 0.002);
   EXPECT_LE(swing.foot().z(), 0.0);
   EXPECT_GT(swing.foot().z(), -swing.params.touchdown_speed * kDt * 1.01);
-  EXPECT_TRUE(swing.lane.touched_down);
+}
+
+// Support from 20 ms of unbroken contact on: a foot that bounces for 3 ms starts to count again.
+TEST(Swing, CountsAsSupportOnceItHasKeptContact) {
+  Swing swing;
+  swing.command(kTarget);
+  swing.land();
+  EXPECT_FALSE(swing.lane.supports(swing.params));
+  const auto ticks = std::lround(swing.params.confirm_time / kDt);
+  const auto on_ground = swing.touches;
+  for (long k = 0; k < ticks - 1; ++k) swing.tick();
+  swing.touches = [](const Vector3&) { return false; };
+  swing.tick();
+  swing.touches = on_ground;
+  for (long k = 0; k < ticks - 1; ++k) {
+    swing.tick();
+    EXPECT_FALSE(swing.lane.supports(swing.params));
+  }
+  for (int k = 0; k < 2; ++k) swing.tick();
+  EXPECT_TRUE(swing.lane.supports(swing.params));
 }
 
 // A target that moves at v = 0.15 m/s, as it does when the body's speed is other than predicted.
@@ -187,7 +207,7 @@ TEST(Swing, SaysOnceThatItLiftsAndOnceThatItTouchesDown) {
   swing.command(kTarget);
   int lifted = 0, touched = 0;
   swing.land([&] { lifted += swing.lane.lifted, touched += swing.lane.touched_down; });
-  for (int k = 0; k < 5; ++k, lifted += swing.lane.lifted, touched += swing.lane.touched_down)
+  for (int k = 0; k < 50; ++k, lifted += swing.lane.lifted, touched += swing.lane.touched_down)
     swing.tick();
   EXPECT_EQ(lifted, 1);
   EXPECT_EQ(touched, 1);
@@ -325,6 +345,7 @@ TEST(Swing, IsTheSameWhereverOdomIs) {
   const Pose body = moved * kBody;
   LegLane a, b;
   a.p_BF = b.p_BF = kBody.inverse() * kStart;
+  a.time = b.time = 1.0;
   command(a, {0, kTarget, 0.1}, kBody);
   command(b, {0, moved * kTarget, 0.1}, body);
   for (int k = 0; k < 400; ++k) {

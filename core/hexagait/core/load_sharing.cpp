@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <Eigen/LU>
 #include <algorithm>
 #include <hexagait/core/load_sharing.hpp>
 
@@ -18,19 +17,26 @@ LegArray<double> shared_load(const LegArray<Vector3>& p_F, const Vector3& p_M,
   LegArray<double> force(n, 0.0);
 
   // Normal equations for (a, b, c), with the centre of mass as the origin.
-  Matrix3 normal = Vector3(0.0, kRegularisation, kRegularisation).asDiagonal();
+  double w = 0.0, wx = 0.0, wy = 0.0, wxx = kRegularisation, wxy = 0.0, wyy = kRegularisation;
   for (LegId i = 0; i < n; ++i) {
-    const Vector3 row(1.0, p_F[i].x() - p_M.x(), p_F[i].y() - p_M.y());
-    normal += share[i] * row * row.transpose();
+    const double x = p_F[i].x() - p_M.x(), y = p_F[i].y() - p_M.y();
+    w += share[i];
+    wx += share[i] * x;
+    wy += share[i] * y;
+    wxx += share[i] * x * x;
+    wxy += share[i] * x * y;
+    wyy += share[i] * y * y;
   }
-  if (normal(0, 0) <= 0.0) return force;
-  const Vector3 abc = normal.inverse() * Vector3(weight, 0.0, 0.0);
+  if (w <= 0.0) return force;
+
+  // Their right side is (W, 0, 0): the solution is along the first column of the adjugate.
+  const double a = wxx * wyy - wxy * wxy, b = wxy * wy - wx * wyy, c = wx * wxy - wxx * wy;
 
   // No foot can pull: drop what is negative and scale the rest to the weight.
   double sum = 0.0;
   for (LegId i = 0; i < n; ++i) {
-    const Vector3 row(1.0, p_F[i].x() - p_M.x(), p_F[i].y() - p_M.y());
-    force[i] = std::max(0.0, share[i] * abc.dot(row));
+    const double x = p_F[i].x() - p_M.x(), y = p_F[i].y() - p_M.y();
+    force[i] = std::max(0.0, share[i] * (a + b * x + c * y));
     sum += force[i];
   }
   const double scale = sum > 0.0 ? weight / sum : 0.0;

@@ -57,24 +57,33 @@ double change2(const Vector3& now, const Vector3& then) {
   return (now2 - then2) * (now2 - then2) / (4.0 * then2);  // now² − then² ≈ 2 · distance · change
 }
 
-// Feet that stand keep their distances (odometry 3). A foot is judged by the k-th smallest change of
-// its distances to the others, k = m/2 of m feet on the ground: half of them must agree with it. The
-// smallest alone is no sign: legs stand in rows, and a slide across a row changes no distance in
-// it. Up to m/2 − 1 sliding feet don't discredit those that stand.
+// Feet that stand keep their distances (odometry 3). A foot is judged by the k-th smallest change
+// of its distances to the others, k = m/2 of m feet on the ground: half of them must agree with it.
+// The smallest alone is no sign: legs stand in rows, and a slide across a row changes no distance
+// in it. Up to m/2 − 1 sliding feet don't discredit those that stand.
 LegArray<double> without_sliding(const LegArray<double>& footing, const LegArray<Vector3>& p_BF,
                                  const LegArray<Vector3>& anchor_O) {
+  std::array<LegId, kMaxLegs> standing{};
+  std::size_t m = 0;
+  for (LegId i = 0; i < p_BF.size(); ++i)
+    if (footing[i] > 0.0) standing[m++] = i;
+  if (m < 2) return footing;
+
+  // A row for each foot: its changes to the m − 1 others.
+  std::array<std::array<double, kMaxLegs>, kMaxLegs> change;
+  for (std::size_t a = 0; a < m; ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      const LegId i = standing[a], j = standing[b];
+      change[a][b] = change[b][a - 1] = change2(p_BF[i] - p_BF[j], anchor_O[i] - anchor_O[j]);
+    }
+  }
   LegArray<double> trust = footing;
-  for (LegId i = 0; i < p_BF.size(); ++i) {
-    std::array<double, kMaxLegs> change{};
-    auto end = change.begin();
-    for (LegId j = 0; j < p_BF.size(); ++j)
-      if (j != i && footing[i] > 0.0 && footing[j] > 0.0)
-        *end++ = change2(p_BF[i] - p_BF[j], anchor_O[i] - anchor_O[j]);
-    if (end == change.begin()) continue;
-    const auto judge = change.begin() + ((end - change.begin()) + 1) / 2 - 1;
-    std::nth_element(change.begin(), judge, end);
+  for (std::size_t a = 0; a < m; ++a) {
+    double* const row = change[a].data();
+    double* const judge = row + m / 2 - 1;
+    std::nth_element(row, judge, row + m - 1);
     const double ratio2 = *judge / (kSlideTolerance * kSlideTolerance);
-    trust[i] /= 1.0 + ratio2 * ratio2;
+    trust[standing[a]] /= 1.0 + ratio2 * ratio2;
   }
   return trust;
 }

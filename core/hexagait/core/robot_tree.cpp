@@ -49,6 +49,7 @@ urdf::ModelInterfaceSharedPtr parse(const std::string& xml, Violations& violatio
   std::string reasons;
   for (const std::string& error : log.errors)
     reasons.append(reasons.empty() ? "" : "; ").append(error);
+  if (!model) reasons += "; it must be XML with a <robot> element and its links and joints";
   if (!model || !reasons.empty()) violations.add("URDF", reasons);
   return model;
 }

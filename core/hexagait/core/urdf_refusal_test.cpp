@@ -46,7 +46,7 @@ struct Fault {
 TEST(ParseUrdf, RefusesWhatIsNotARobot) {
   const std::pair<const char*, const char*> texts[] = {
       {"", "robot.urdf: URDF: Error document empty"},
-      {"no xml", "robot.urdf: URDF: Error document empty"},
+      {"no xml", "robot.urdf: URDF: Error document empty.; it must be XML with a <robot> element"},
       {"<robot name='x'>", "robot.urdf: URDF: Error reading Element value"},
       {"<html/>", "robot.urdf: URDF: Could not find the 'robot' element"},
       {"<robot name='x'/>", "robot.urdf: URDF: No link elements found"},

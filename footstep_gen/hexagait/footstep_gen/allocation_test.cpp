@@ -87,13 +87,15 @@ TEST(Walker, NeitherAllocatesNorFreesInATick) {
       plant.follow(walker.tick(status, plant.measurement, heading), 0.002);
       lifts += walker.record().lifts.size();
     }
-    EXPECT_GT(lifts, 10);
-    ASSERT_EQ(walker.record().fault, Fault::none);
+    const Fault fault = walker.record().fault;
     plant.measurement.q[1][1] = std::numeric_limits<double>::quiet_NaN();
     walker.tick(PlantStatus::fresh, plant.measurement, heading);
+    const long allocated_now = allocations, freed_now = deallocations;
+    EXPECT_EQ(allocated_now, allocated) << n << " legs";
+    EXPECT_EQ(freed_now, freed) << n << " legs";
+    EXPECT_EQ(fault, Fault::none);
     EXPECT_EQ(walker.record().fault, Fault::bad_measurement);
-    EXPECT_EQ(allocations, allocated) << n << " legs";
-    EXPECT_EQ(deallocations, freed) << n << " legs";
+    EXPECT_GT(lifts, 5) << "it did walk";
   }
 }
 

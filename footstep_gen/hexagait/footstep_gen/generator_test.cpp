@@ -63,7 +63,8 @@ TEST(GaitInput, SaysHowFarFeetLagAndWhichOnesMustGo) {
   stance.lift({5});
   const auto input =
       gait_input(stance.robot, stance.arc(Heading::straight(0.0)), stance.executor, {});
-  for (LegId i = 0; i < 6; ++i) EXPECT_NEAR(input.lag[i], -offset[static_cast<std::size_t>(i)].x(), 1e-12);
+  for (LegId i = 0; i < 6; ++i)
+    EXPECT_NEAR(input.lag[i], -offset[static_cast<std::size_t>(i)].x(), 1e-12);
   EXPECT_EQ(input.urgent, LegSet(0b001000));
   EXPECT_EQ(input.airborne, LegSet(0b100000)) << "from the command to lift on";
   const auto back =

@@ -69,7 +69,6 @@ void Walker::start(const Measurement& measurement) {
         "Walker::start: the measurement must have a finite position for every joint of " +
         model_->name);
   *this = Walker(*model_, params_);
-  if (!usable(measurement)) return stop(Fault::bad_measurement);
   RobotState& state = record_.state;
   record_.measurement = measurement;
   state.time = measurement.time;
@@ -89,14 +88,6 @@ void Walker::start(const Measurement& measurement) {
   tracker_.reset({0.0, Vector2::Zero()});
   record_.heading = heading_control::Heading::stop();
   record_.arc = path_arc(record_.heading, workspaces_);
-}
-
-bool Walker::usable(const Measurement& measurement) const noexcept {
-  const int n = model_->num_legs();
-  bool usable = std::isfinite(measurement.time) && measurement.q.size() == n &&
-                (measurement.contact.size() == n || !params_.sensors.foot_contacts);
-  for (const LegJoints& q : measurement.q) usable = usable && q.allFinite();
-  return usable;
 }
 
 // Bad input ends here: nothing behind it ever sees a number that is not finite.

@@ -32,8 +32,7 @@ class Walker {
  public:
   explicit Walker(const RobotModel& model, const WalkerParams& params = {});
 
-  /// Stands where the robot stands: all feet are taken to be on the ground. A bad measurement is a
-  /// fault here too: its targets, zeros, are for no robot.
+  /// Stands where the robot stands: all feet are taken to be on the ground.
   /// @throws InvalidInput  if a joint position is missing or not finite
   void start(const Measurement& measurement);
 
@@ -50,7 +49,6 @@ class Walker {
   [[nodiscard]] const WalkerParams& params() const { return params_; }
 
  private:
-  [[nodiscard]] bool usable(const Measurement& measurement) const noexcept;
   bool healthy(PlantStatus status, const Measurement& measurement) noexcept;
   void sense() noexcept;
   void steer(const heading_control::Heading& heading) noexcept;

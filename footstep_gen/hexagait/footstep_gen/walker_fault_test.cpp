@@ -92,16 +92,27 @@ TEST(WalkerFault, StopsAtAMeasurementOfAnotherRobot) {
   }
 }
 
-// The start is no exception: no target that isn't finite leaves the walker, and it doesn't walk.
-TEST(WalkerFault, DoesNotStartFromANumberThatIsNone) {
+// Nothing has begun yet: the caller hears of it, and a walker that walks already goes on.
+TEST(WalkerFault, RefusesToStartFromANumberThatIsNone) {
   Walk walk;
+  walk.walk(300);
   Measurement measurement = walk.plant.measurement;
   measurement.q[4][1] = kNan;
-  walk.walker.start(measurement);
-  EXPECT_EQ(walk.walker.record().fault, Fault::bad_measurement);
-  expect_stopped_for_good(walk, Fault::bad_measurement);
+  EXPECT_THROW(walk.walker.start(measurement), InvalidInput);
+  measurement = walk.plant.measurement;
+  measurement.contact = {};
+  EXPECT_THROW(walk.walker.start(measurement), InvalidInput);
+  walk.walk(300);
+  EXPECT_EQ(walk.walker.record().fault, Fault::none);
+}
+
+// Only start() takes a fault away.
+TEST(WalkerFault, IsClearedByANewStart) {
+  Walk walk;
+  walk.walker.emergency_stop();
+  EXPECT_EQ(walk.tick().fault, Fault::emergency_stop);
   walk.walker.start(walk.plant.measurement);
-  EXPECT_EQ(walk.tick().fault, Fault::none) << "a new start clears it";
+  EXPECT_EQ(walk.tick().fault, Fault::none);
 }
 
 // Late for up to late_limit = 0.1 s = 50 periods: all holds, and then goes on.

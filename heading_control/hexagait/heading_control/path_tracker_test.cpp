@@ -127,6 +127,20 @@ TEST(PathTracker, DoesNotForgiveAnErrorForSteering) {
   }
 }
 
+// A metre of each line, one after the other: a base on the joined curve has no deviation.
+TEST(PathTracker, JoinsTheCurveOfEachCommandToThatBefore) {
+  PathTracker tracker;
+  tracker.reset(kStart);
+  PlanarPose X_OB = kStart;
+  for (const PlanarTwist& line : kLines) {
+    tracker.follow(line);
+    for (int k = 1; k <= 1000; ++k) {
+      X_OB = X_OB * exponential(line, kTick);
+      ASSERT_LT(size(tracker.update(X_OB)), 1e-9);
+    }
+  }
+}
+
 // A base that has been pushed ahead along its line is not off it.
 TEST(PathTracker, LetsTheBaseBeAnywhereAlongTheCurve) {
   PathTracker tracker = following({{1.0, 0.0}, 0.5});

@@ -14,7 +14,7 @@ using footstep_gen::TickRecord;
 
 constexpr double kSettling = 0.02;       // a stance younger than this may still lose contact [s]
 constexpr double kStuckTime = 10.0;      // without kStuckProgress [s]
-constexpr double kStuckProgress = 0.02;  // of path, or rad turned
+constexpr double kStuckProgress = 0.05;  // of path [m], or turned [rad]
 constexpr double kFallTilt = std::numbers::pi / 3.0;
 
 PlanarPose in_plane(const Pose& X_WB) { return {roll_pitch_yaw(X_WB.R).z(), X_WB.p.head<2>()}; }
@@ -97,6 +97,7 @@ void Referee::follow_path(const TickRecord& record, const GroundTruth& truth) {
     distance_before_ += deviation_.progress;
     heading_ = record.heading;
     path_.follow(heading_);
+    progress_seen_ = 0.0;
   }
   deviation_ = path_.deviation(in_plane(truth.X_WB));
   const double lateral = std::abs(deviation_.lateral);
@@ -121,7 +122,8 @@ void Referee::watch_posture(const GroundTruth& truth) {
   LegArray<Vector3> p_WF(model_->num_legs());
   for (LegId i = 0; i < model_->num_legs(); ++i) p_WF[i] = truth.feet[i].p_WF;
   const Vector2 p_WM = (truth.X_WB * model_->p_BM).head<2>();
-  margins_.push_back(stability_margin(support_polygon(p_WF, feet_in_contact(truth)), p_WM));
+  const double margin = stability_margin(support_polygon(p_WF, feet_in_contact(truth)), p_WM);
+  if (std::isfinite(margin)) margins_.push_back(margin);
 }
 
 void Referee::watch_stances(const TickRecord& record, const GroundTruth& truth) {
@@ -136,7 +138,7 @@ void Referee::watch_stances(const TickRecord& record, const GroundTruth& truth) 
     if (record.lifts.contains(i)) lift_time_[i] = truth.time;
     stance.age += dt_;
 
-    if (lane.phase == LegPhase::support) {
+    if (lane.phase == LegPhase::support && lane.confirmed) {
       const bool lost = !foot.in_contact && stance.age > kSettling;
       if (lost && !stance.lost) ++summary_.contact_losses;
       stance.lost = lost;
@@ -157,9 +159,10 @@ void Referee::watch_rule1(const TickRecord& record, const GroundTruth& truth) {
 }
 
 void Referee::watch_progress(const TickRecord& record) {
-  const double progress = distance() + turned_;
+  const bool spins = record.heading.rho() == 0.0;
+  const double progress = spins ? std::abs(deviation_.turned) : deviation_.progress;
   idle_ = record.heading.moving() ? idle_ + dt_ : 0.0;
-  if (std::abs(progress - progress_seen_) > kStuckProgress) {
+  if (progress > progress_seen_ + kStuckProgress) {
     progress_seen_ = progress;
     idle_ = 0.0;
   }

@@ -26,8 +26,9 @@ struct Summary {
   double slip_mean = 0.0, slip_p95 = 0.0;
   int stances = 0;  ///< completed
 
-  double margin_min = 0.0,
-         margin_p5 = 0.0;  ///< of the centre of mass in the true support polygon [m]
+  /// Stability margin of the centre of mass in the true support polygon, negative outside [m].
+  /// Ticks without any foot on the ground have none.
+  double margin_min = 0.0, margin_p5 = 0.0;
   double roll_max = 0.0, pitch_max = 0.0;     ///< [rad], absolute
   double height_min = 0.0, height_max = 0.0;  ///< of the base's origin [m]
 
@@ -39,7 +40,7 @@ struct Summary {
   double neighbour_flight = 0.0;  ///< time in which two neighbours were in fact off the ground [s]
   int contact_losses = 0;  ///< times a leg in support lost all contact, after its first 20 ms
   bool fell = false;       ///< the base touched the ground, or tilted by more than 60°
-  bool stuck = false;      ///< no progress for 10 s
+  bool stuck = false;      ///< no 5 cm (or 0.05 rad of a spin) of progress in 10 s
   bool arrived = false;    ///< the distance asked for was reached
   footstep_gen::Fault fault = footstep_gen::Fault::none;  ///< why the controller stopped, if it did
 

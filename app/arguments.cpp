@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace hexagait::app {
+namespace {
+
+using heading_control::Heading;
+using heading_control::Turn;
+
+struct Range {
+  double least, greatest;
+  const char* words;
+};
+constexpr Range kSeconds = {1e-3, 86400.0, "a time of 1 ms to a day, in seconds"};
+constexpr Range kDistance = {1e-3, 1e5, "a length of 1 mm to 100 km, in metres"};
+constexpr Range kPeriod = {1e-3, 86400.0, "a time of 1 ms to a day between commands, in seconds"};
+constexpr Range kStep = {1e-5, 0.05, "a time of 10 µs to 50 ms, in seconds"};
+
+double number(const char* option, const std::string& text, const Range& range) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  if (!whole || !(range.least <= value && value <= range.greatest))
+    throw InvalidInput(fmt::format("{} is '{}'; it must be {}", option, text, range.words));
+  return value;
+}
+
+std::uint64_t seed(const std::string& text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size())
+    throw InvalidInput(fmt::format("--seed is '{}'; it must be a whole number of 0 or more", text));
+  return value;
+}
+
+// Puts the name of the option before what its parser says.
+template <class Parser>
+auto option_value(const char* option, const std::string& text, const Parser& parse) {
+  try {
+    return parse(text);
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(fmt::format("{}: {}", option, error.what()));
+  }
+}
+
+Heading heading(const WalkArguments& arguments) {
+  if (arguments.spin == "ccw") return Heading::spin(Turn::ccw);
+  if (arguments.spin == "cw") return Heading::spin(Turn::cw);
+  if (!arguments.spin.empty())
+    throw InvalidInput(fmt::format(
+        "--spin is '{}'; it must be ccw (to the left) or cw (to the right)", arguments.spin));
+
+  const double alpha =
+      arguments.crab.empty() ? 0.0 : option_value("--crab", arguments.crab, walk::parse_angle);
+  if (arguments.radius.empty()) return Heading::straight(alpha);
+  return Heading::arc(option_value("--radius", arguments.radius, walk::parse_radius), alpha);
+}
+
+walk::Schedule schedule(const WalkArguments& arguments, std::uint64_t seed, double seconds) {
+  if (!arguments.commands.empty()) return walk::load_schedule(arguments.commands);
+  if (arguments.random_commands.empty()) return {{0.0, heading(arguments)}};
+  const double period = number("--random-commands", arguments.random_commands, kPeriod);
+  return walk::random_schedule(seed, period, seconds);
+}
+
+double posture_spread(const std::string& text, const RobotModel& robot) {
+  double radius = robot.legs[0].workspace_radius;
+  for (const LegModel& leg : robot.legs) radius = std::min(radius, leg.workspace_radius);
+  const std::string words =
+      fmt::format("a length from 0 to {:.3g} m, the radius of the robot's workspaces", radius);
+  return number("--random-posture", text, {0.0, radius, words.c_str()});
+}
+
+// Default: the smallest number of physics steps that makes 2 ms or more.
+double control_period(const std::string& text, double physics_dt) {
+  if (text.empty()) return physics_dt * std::ceil(0.002 / physics_dt - 1e-9);
+  const double period = number("--control-period", text, kStep);
+  const double steps = std::round(period / physics_dt);
+  if (steps < 1.0 || std::abs(period - steps * physics_dt) > 1e-9 * period)
+    throw InvalidInput(
+        fmt::format("--control-period is {} s; it must be a whole number of physics steps of {} s, "
+                    "such as {} s",
+                    text, physics_dt, std::max(1.0, steps) * physics_dt));
+  return period;
+}
+
+}  // namespace
+
+experiments::Simulation simulation(const WalkArguments& arguments, const RobotModel& robot) {
+  experiments::Simulation result;
+  result.terrain = sim3d::parse_terrain(arguments.terrain);
+  result.seed = seed(arguments.seed);
+  if (!arguments.physics_step.empty())
+    result.physics_dt = number("--physics-step", arguments.physics_step, kStep);
+  result.control_dt = control_period(arguments.control_period, result.physics_dt);
+  result.sensors = {.joint_feedback = !arguments.no_joint_feedback,
+                    .foot_contacts = !arguments.no_contacts};
+  if (!arguments.random_posture.empty())
+    result.random_posture = posture_spread(arguments.random_posture, robot);
+
+  result.trial.seconds = number("--seconds", arguments.seconds, kSeconds);
+  if (!arguments.distance.empty())
+    result.trial.distance = number("--distance", arguments.distance, kDistance);
+  result.trial.schedule = schedule(arguments, result.seed, result.trial.seconds);
+  return result;
+}
+
+}  // namespace hexagait::app

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <hexagait/experiments/simulation.hpp>
+#include <string>
+
+namespace hexagait::app {
+
+/// `hexagait walk` as it was typed. An empty text is an option that was not given.
+struct WalkArguments {
+  std::string robot = "argos";
+  std::string radius, crab, spin, commands, random_commands;
+  std::string terrain = "flat";
+  std::string seed = "1", seconds = "40", distance;
+  std::string random_posture, physics_step, control_period;
+  bool no_contacts = false, no_joint_feedback = false;
+  bool json = false, quiet = false;
+  std::string plot, trace;
+};
+
+/// What was typed, as a simulation.
+/// @throws InvalidInput  naming the first option that is wrong, its value, and what would be right
+[[nodiscard]] experiments::Simulation simulation(const WalkArguments& arguments,
+                                                 const RobotModel& robot);
+
+/// The file of a robot: a path to a URDF, or the name of a robot that comes with hexagait.
+/// @throws InvalidInput  if there is none, with the names that there are
+[[nodiscard]] std::string robot_file(const std::string& robot);
+
+}  // namespace hexagait::app

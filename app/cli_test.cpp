@@ -1,0 +1,282 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+// The command as a user meets it: its exit status, what it prints where, what it leaves behind.
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::string content(const fs::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+struct Result {
+  int status = -1;
+  std::string out, err;
+};
+
+// Every test has an empty directory, in which the command runs. Output is caught outside of it.
+class Cli : public testing::Test {
+ protected:
+  Cli() {
+    std::string pattern = testing::TempDir() + "hexagait-cli-XXXXXX";
+    root_ = mkdtemp(pattern.data());
+    fs::create_directory(here());
+  }
+  ~Cli() override { fs::remove_all(root_); }
+
+  [[nodiscard]] fs::path here() const { return root_ / "here"; }
+
+  pid_t start(const std::string& arguments) {
+    const std::string line = "cd '" + here().string() + "' && exec " + prefix_ +
+                             HEXAGAIT_COMMAND " " + arguments + " >../out 2>../err";
+    std::string shell = "sh", option = "-c", command = line;
+    char* const words[] = {shell.data(), option.data(), command.data(), nullptr};
+    pid_t child = 0;
+    EXPECT_EQ(posix_spawnp(&child, "sh", nullptr, nullptr, words, environ), 0);
+    return child;
+  }
+
+  Result finish(pid_t child) {
+    int status = 0;
+    waitpid(child, &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(root_ / "out"),
+            content(root_ / "err")};
+  }
+
+  Result run(const std::string& arguments) { return finish(start(arguments)); }
+
+  // Bad input: status 2, nothing on stdout, one message that names all of `words`, and no file.
+  void refuses(const std::string& arguments, const std::vector<std::string>& words) {
+    const Result result = run(arguments);
+    EXPECT_EQ(result.status, 2) << arguments;
+    EXPECT_THAT(result.out, IsEmpty()) << arguments;
+    EXPECT_TRUE(result.err.starts_with("hexagait: ")) << arguments << '\n' << result.err;
+    for (const std::string& word : words) EXPECT_THAT(result.err, HasSubstr(word)) << arguments;
+    EXPECT_TRUE(fs::is_empty(here())) << arguments;
+  }
+
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(root_ / name) << text;
+  }
+
+  std::string prefix_;  // before the command
+
+ private:
+  fs::path root_;
+};
+
+TEST_F(Cli, RefusesRobotsThatAreNone) {
+  refuses("walk --robot nobody", {"--robot", "'nobody'", "argos"});
+  refuses("walk --robot missing.urdf", {"--robot", "missing.urdf", "URDF"});
+  refuses("walk --robot /", {"--robot", "'/'"});
+  refuses("robot missing.urdf", {"missing.urdf"});
+  write("text.urdf", "this is not XML");
+  refuses("walk --robot ../text.urdf", {"text.urdf", "URDF"});
+}
+
+TEST_F(Cli, RefusesUnknownTerrainsAndNamesTheKnown) {
+  refuses("walk --terrain swamp", {"terrain", "swamp", "flat", "boxes:H", "steps:H"});
+  refuses("walk --terrain boxes:-1", {"boxes:-1", "negative"});
+  refuses("walk --terrain boxes:nan", {"boxes:nan"});
+}
+
+TEST_F(Cli, RefusesNumbersOutOfRange) {
+  for (const char* value : {"0", "-1", "nan", "inf", "soon", "''", "1e9", "5s"})
+    refuses(std::string("walk --seconds ") + value, {"--seconds", "seconds"});
+  for (const char* value : {"one", "-1", "1.5", "99999999999999999999", "''"})
+    refuses(std::string("walk --seed ") + value, {"--seed", "whole number"});
+  for (const char* value : {"0", "-2", "nan", "far"})
+    refuses(std::string("walk --distance ") + value, {"--distance", value, "metres"});
+  refuses("walk --random-posture 3", {"--random-posture", "'3'", "workspaces"});
+  refuses("walk --random-commands 0", {"--random-commands", "'0'"});
+}
+
+TEST_F(Cli, RefusesHeadingsThatAreNone) {
+  refuses("walk --radius 0", {"--radius", "spin"});
+  refuses("walk --radius nan", {"--radius", "'nan'", "inf"});
+  refuses("walk --crab nan", {"--crab", "'nan'", "30deg"});
+  refuses("walk --crab inf", {"--crab", "'inf'"});
+  refuses("walk --spin left", {"--spin", "'left'", "ccw", "cw"});
+  write("bad.yaml", "- {at: 0}\n- {at: 1, spin: left}\n");
+  refuses("walk --commands ../bad.yaml", {"../bad.yaml:2", "'left'"});
+  refuses("walk --commands none.yaml", {"none.yaml"});
+}
+
+TEST_F(Cli, RefusesOptionsThatContradict) {
+  refuses("walk --radius 1 --spin cw", {"--radius", "--spin"});
+  refuses("walk --crab 1 --spin cw", {"--crab", "--spin"});
+  refuses("walk --commands x.yaml --random-commands 3", {"--commands", "--random-commands"});
+  refuses("walk --commands x.yaml --radius 3", {"--commands", "--radius"});
+  refuses("walk --physics-step 0.003 --control-period 0.004",
+          {"--control-period", "0.004", "0.003", "whole number"});
+  refuses("walk --physics-step 0", {"--physics-step", "'0'"});
+}
+
+TEST_F(Cli, RefusesWhatItDoesNotKnow) {
+  refuses("", {"--help"});
+  refuses("run", {"--help"});
+  refuses("walk --fast", {"--fast", "--help"});
+  refuses("walk --seconds", {"--seconds"});
+  refuses("experiment fig99", {"fig99", "fig9", "fig10", "all"});
+}
+
+TEST_F(Cli, RefusesFilesThatItCouldNotWriteBeforeItWalks) {
+  refuses("walk --seconds 86400 --plot walk.bmp", {"--plot", "walk.bmp", ".png"});
+  refuses("walk --seconds 86400 --trace walk.txt", {"--trace", "walk.txt", ".csv"});
+  refuses("walk --seconds 86400 --trace none/walk.csv", {"--trace", "none", "No such file"});
+  refuses("walk --seconds 86400 --trace /proc/walk.csv", {"--trace", "/proc"});
+  fs::create_directory(here() / ".." / "walk.csv");
+  refuses("walk --seconds 86400 --trace ../walk.csv", {"--trace", "not a file"});
+}
+
+TEST_F(Cli, SaysHowToGetGnuplotWhenThereIsNone) {
+  prefix_ = "env PATH=/nowhere ";
+  refuses("walk --seconds 86400 --plot walk.png", {"gnuplot", "apt install gnuplot-nox"});
+}
+
+TEST_F(Cli, HelpsWithExamples) {
+  for (const char* command : {"walk", "robot", "terrains", "experiment"}) {
+    const Result result = run(std::string(command) + " --help");
+    EXPECT_EQ(result.status, 0);
+    EXPECT_THAT(result.out, AllOf(HasSubstr("Example"), HasSubstr("hexagait "))) << command;
+    EXPECT_THAT(result.err, IsEmpty());
+  }
+  EXPECT_THAT(run("--version").out, HasSubstr("hexagait 0."));
+  EXPECT_THAT(run("terrains").out, AllOf(HasSubstr("flat"), HasSubstr("boxes:H")));
+  EXPECT_THAT(run("experiment --list").out, AllOf(HasSubstr("fig9"), HasSubstr("fig10")));
+}
+
+TEST_F(Cli, PrintsOneJsonObjectWithEveryResult) {
+  const Result result = run("walk --seconds 2 --radius 3 --json");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(result.err, IsEmpty());
+  const auto json = nlohmann::json::parse(result.out);
+  for (const char* key : {"robot",
+                          "terrain",
+                          "seed",
+                          "heading",
+                          "curvature_per_m",
+                          "seconds",
+                          "distance_m",
+                          "turned_rad",
+                          "speed_m_s",
+                          "lateral_error_m",
+                          "heading_error_rad",
+                          "odometry_error",
+                          "slip_m",
+                          "stances",
+                          "stability_margin_m",
+                          "roll_rad",
+                          "pitch_rad",
+                          "body_height_m",
+                          "steps",
+                          "tripod_after_steps",
+                          "rule1_violations",
+                          "neighbour_flight_s",
+                          "contact_losses",
+                          "falls",
+                          "stuck",
+                          "arrived",
+                          "fault",
+                          "real_time_factor",
+                          "tick_ns",
+                          "state_hash"})
+    EXPECT_TRUE(json.contains(key)) << key;
+  EXPECT_NEAR(json["curvature_per_m"].get<double>(), 1.0 / 3.0, 1e-12);
+  EXPECT_NEAR(json["seconds"].get<double>(), 2.0, 1e-9);
+  EXPECT_EQ(json["state_hash"].get<std::string>().size(), 16U);
+  EXPECT_EQ(json["falls"], 0);
+  EXPECT_EQ(json["fault"], "none");
+}
+
+// JSON has no infinity: a turn in place has no curvature to tell.
+TEST_F(Cli, PrintsAnInfiniteCurvatureAsNull) {
+  const auto json = nlohmann::json::parse(run("walk --seconds 1 --spin cw --json").out);
+  EXPECT_EQ(json["heading"], "spin cw");
+  EXPECT_TRUE(json["curvature_per_m"].is_null());
+}
+
+TEST_F(Cli, HasTheSameBitsInEveryProcess) {
+  const std::string arguments =
+      "walk --seconds 3 --terrain boxes:0.05 --random-posture 0.05 --seed 4 --json";
+  const auto a = nlohmann::json::parse(run(arguments).out);
+  const auto b = nlohmann::json::parse(run(arguments).out);
+  EXPECT_EQ(a["state_hash"], b["state_hash"]);
+  EXPECT_EQ(a["distance_m"], b["distance_m"]);
+}
+
+TEST_F(Cli, SaysInASentenceHowItWent) {
+  const Result result = run("walk --seconds 2 --radius 3");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(result.out, AllOf(HasSubstr("of a left-hand arc (r = 3 m) on flat ground in 2 s"),
+                                HasSubstr("off the commanded path")));
+}
+
+TEST_F(Cli, ArrivesAtTheDistanceAskedFor) {
+  const auto json = nlohmann::json::parse(run("walk --distance 0.3 --json").out);
+  EXPECT_EQ(json["arrived"], true);
+  EXPECT_NEAR(json["distance_m"].get<double>(), 0.3, 0.002);
+}
+
+// A row per tick of 2 ms, and as many fields in each as in the header.
+TEST_F(Cli, WritesATraceWithARowPerTick) {
+  EXPECT_EQ(run("walk --seconds 0.5 --trace walk.csv").status, 0);
+  std::istringstream trace(content(here() / "walk.csv"));
+  std::string line;
+  std::getline(trace, line);
+  EXPECT_THAT(line, AllOf(HasSubstr("time_s"), HasSubstr("LF_normal_force_n")));
+  const auto commas = std::count(line.begin(), line.end(), ',');
+  int rows = 0;
+  for (; std::getline(trace, line); ++rows)
+    ASSERT_EQ(std::count(line.begin(), line.end(), ','), commas);
+  EXPECT_EQ(rows, 250);
+  EXPECT_EQ(std::distance(fs::directory_iterator(here()), fs::directory_iterator()), 1);
+}
+
+TEST_F(Cli, DrawsAFigureAndKeepsWhatItIsMadeOf) {
+  EXPECT_EQ(run("walk --seconds 2 --plot \"it's.svg\"").status, 0);
+  for (const char* name :
+       {"it's.svg", "it's.gp", "it's-body.csv", "it's-steps.csv", "it's-gait.csv"})
+    EXPECT_GT(fs::file_size(here() / name), 50U) << name;
+  EXPECT_THAT(content(here() / "it's.svg"), HasSubstr("Path from above"));
+}
+
+// Interrupted, it tells how far it got, and its trace is whole.
+TEST_F(Cli, StopsCleanlyWhenInterrupted) {
+  const pid_t child = start("walk --seconds 80000 --quiet --json --trace walk.csv");
+  usleep(700'000);
+  kill(child, SIGINT);
+  const Result result = finish(child);
+  EXPECT_EQ(result.status, 130);
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["interrupted"], true);
+  EXPECT_GT(json["seconds"].get<double>(), 0.0);
+  EXPECT_TRUE(content(here() / "walk.csv").ends_with('\n'));
+}
+
+TEST_F(Cli, ShowsWhatItRecognisesOfARobot) {
+  EXPECT_THAT(run("robot argos").out, AllOf(HasSubstr("6 legs"), HasSubstr("LF")));
+  const auto json = nlohmann::json::parse(run("robot argos --json").out);
+  EXPECT_EQ(json["legs"].size(), 6U);
+  EXPECT_NEAR(json["mass_kg"].get<double>(), 50.0, 1e-6);
+}
+
+}  // namespace

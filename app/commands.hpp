@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "arguments.hpp"
+
+/// The sub-commands: each prints its result on stdout and returns the exit status.
+namespace hexagait::app {
+
+inline constexpr int kOk = 0;
+inline constexpr int kFailed = 1;         ///< the walk or the check failed
+inline constexpr int kBadInput = 2;       ///< bad usage or input; nothing was done
+inline constexpr int kInterrupted = 130;  ///< by Ctrl-C
+
+/// `hexagait walk`. @throws InvalidInput
+int walk_command(const WalkArguments& arguments);
+
+/// `hexagait experiment` as it was typed.
+struct ExperimentArguments {
+  std::string name = "all";
+  std::string out = "results";
+  bool list = false, json = false, quiet = false;
+};
+
+/// `hexagait experiment`: 0 if all claims hold. @throws InvalidInput
+int experiment_command(const ExperimentArguments& arguments);
+
+/// `hexagait robot FILE`. @throws InvalidInput
+int robot_command(const std::string& robot, bool json);
+
+/// `hexagait terrains`.
+int terrains_command();
+
+}  // namespace hexagait::app

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <hexagait/experiments/experiment.hpp>
+#include <hexagait/experiments/gnuplot.hpp>
+
+#include "commands.hpp"
+#include "interrupt.hpp"
+#include "progress.hpp"
+
+namespace hexagait::app {
+namespace {
+
+using experiments::Experiment;
+using experiments::Manifest;
+
+int list() {
+  for (const Experiment& experiment : experiments::experiments())
+    fmt::print("{:<8} {}\n", experiment.name, experiment.title);
+  return kOk;
+}
+
+std::vector<Experiment> chosen(const std::string& name) {
+  const std::vector<Experiment>& all = experiments::experiments();
+  if (name == "all") return all;
+  const auto found = std::ranges::find(all, name, &Experiment::name);
+  if (found != all.end()) return {*found};
+  std::string names = "all";
+  for (const Experiment& experiment : all) names += ", " + experiment.name;
+  throw InvalidInput(fmt::format("the experiment is '{}'; it must be one of {}", name, names));
+}
+
+void print(const Manifest& manifest, const std::filesystem::path& out) {
+  fmt::print("{}\n", manifest.title);
+  for (const experiments::Verdict& verdict : manifest.outcome.verdicts)
+    fmt::print("  {:<14} {}: {}\n", verdict.holds ? "holds" : "DOES NOT HOLD", verdict.claim,
+               verdict.numbers);
+  fmt::print("  written to     {}\n\n", (out / manifest.experiment).string());
+}
+
+}  // namespace
+
+int experiment_command(const ExperimentArguments& arguments) {
+  if (arguments.list) return list();
+  const std::vector<Experiment> selection = chosen(arguments.name);
+  const RobotModel robot = load_urdf(robot_file("argos"));
+  experiments::require_gnuplot();
+  const std::atomic<bool>& interrupted = watch_interrupts();
+
+  std::vector<Manifest> manifests;
+  for (const Experiment& experiment : selection) {
+    Progress progress(1.0, Progress::Measure::share, arguments.quiet);
+    manifests.push_back(run(experiment,
+                            {.robot = &robot,
+                             .progress = [&](double share) { progress.at(share); },
+                             .stop = &interrupted},
+                            arguments.out));
+    if (interrupted) return kInterrupted;
+  }
+
+  bool all_hold = true;
+  for (const Manifest& manifest : manifests) {
+    all_hold =
+        all_hold && std::ranges::all_of(manifest.outcome.verdicts, &experiments::Verdict::holds);
+    if (!arguments.json) print(manifest, arguments.out);
+  }
+  if (arguments.json) fmt::print("{}\n", to_json(manifests));
+  return all_hold ? kOk : kFailed;
+}
+
+}  // namespace hexagait::app

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "interrupt.hpp"
+
+#include <csignal>
+
+namespace hexagait::app {
+namespace {
+
+std::atomic<bool> interrupted = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "set by a signal handler");
+
+void interrupt(int /*signal*/) { interrupted = true; }
+
+}  // namespace
+
+const std::atomic<bool>& watch_interrupts() {
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
+  return interrupted;
+}
+
+}  // namespace hexagait::app

@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+
+namespace hexagait::app {
+
+/// From now on SIGINT and SIGTERM end nothing by themselves but set the flag that is returned.
+[[nodiscard]] const std::atomic<bool>& watch_interrupts();
+
+}  // namespace hexagait::app

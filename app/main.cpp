@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <hexagait/experiments/version.hpp>
+
+#include "commands.hpp"
+
+namespace hexagait::app {
+namespace {
+
+constexpr const char* kWalkExamples = R"(
+Examples:
+  hexagait walk                                     straight on, 40 s, flat ground
+  hexagait walk --radius 3 --terrain boxes:0.10     to the left over boxes of up to 10 cm
+  hexagait walk --spin cw --seconds 10              on the spot, to the right
+  hexagait walk --crab 45deg --distance 2 --json    diagonally, as one JSON object
+  hexagait walk --random-commands 5 --plot walk.svg --trace walk.csv
+
+Exit status: 0 walked to the end; 1 fell, stuck or fault; 2 bad usage or input; 130 Ctrl-C.)";
+
+void add_walk(CLI::App& app, WalkArguments& a) {
+  CLI::App* walk = app.add_subcommand("walk", "Walk in the simulator, and be judged by the truth");
+  walk->footer(kWalkExamples);
+  walk->add_option("--robot", a.robot, "URDF file, or the name of a known robot")
+      ->type_name("FILE|NAME")
+      ->capture_default_str();
+
+  auto* radius = walk->add_option("--radius", a.radius, "Turning radius; > 0 left, inf straight")
+                     ->type_name("M|inf");
+  auto* crab = walk->add_option("--crab", a.crab, "Direction of motion in the body: 0.5 or 30deg")
+                   ->type_name("ANGLE");
+  auto* spin = walk->add_option("--spin", a.spin, "Turn in place")->type_name("ccw|cw");
+  auto* commands =
+      walk->add_option("--commands", a.commands, "Commands from a YAML file")->type_name("FILE");
+  auto* random = walk->add_option("--random-commands", a.random_commands,
+                                  "A random command every so many seconds")
+                     ->type_name("S");
+  spin->excludes(radius)->excludes(crab);
+  commands->excludes(radius)->excludes(crab)->excludes(spin);
+  random->excludes(radius)->excludes(crab)->excludes(spin)->excludes(commands);
+
+  walk->add_option("--terrain", a.terrain, "Ground: see hexagait terrains")
+      ->type_name("T")
+      ->capture_default_str();
+  walk->add_option("--seed", a.seed, "Seed of terrain, posture and commands")
+      ->type_name("N")
+      ->capture_default_str();
+  walk->add_option("--seconds", a.seconds, "Time to walk, at most")
+      ->type_name("S")
+      ->capture_default_str();
+  walk->add_option("--distance", a.distance, "Path to walk, at most")->type_name("M");
+  walk->add_option("--random-posture", a.random_posture, "Start with feet displaced by up to this")
+      ->type_name("M");
+  walk->add_flag("--no-contacts", a.no_contacts, "The controller has no contact sensors");
+  walk->add_flag("--no-joint-feedback", a.no_joint_feedback, "The controller has no joint sensors");
+  walk->add_option("--physics-step", a.physics_step, "Default 0.002")->type_name("S");
+  walk->add_option("--control-period", a.control_period,
+                   "A multiple of the physics step; default the first of 0.002 or more")
+      ->type_name("S");
+  walk->add_flag("--json", a.json, "Print one JSON object");
+  walk->add_flag("--quiet", a.quiet, "No progress on stderr");
+  walk->add_option("--plot", a.plot, "Draw the walk: .png, .svg or .pdf")->type_name("FILE");
+  walk->add_option("--trace", a.trace, "Write a row per control tick: .csv")->type_name("FILE");
+}
+
+void add_experiment(CLI::App& app, ExperimentArguments& a) {
+  CLI::App* experiment =
+      app.add_subcommand("experiment", "Make a figure of a paper again, and test its claims");
+  experiment->footer(
+      "\nExamples:\n  hexagait experiment --list\n  hexagait experiment fig9 --out results\n\n"
+      "Exit status: 0 all claims hold; 1 one does not; 2 bad usage or input; 130 Ctrl-C.");
+  experiment->add_option("name", a.name, "Which: see --list")
+      ->type_name("NAME|all")
+      ->capture_default_str();
+  experiment->add_option("--out", a.out, "Directory; a directory per experiment is made in it")
+      ->type_name("DIR")
+      ->capture_default_str();
+  experiment->add_flag("--list", a.list, "List the experiments");
+  experiment->add_flag("--json", a.json, "Print the verdicts as one JSON object");
+  experiment->add_flag("--quiet", a.quiet, "No progress on stderr");
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Reactive free-gait walking for legged robots", "hexagait");
+  app.set_version_flag("--version", std::string("hexagait ") + experiments::kVersion + " (" +
+                                        experiments::kRevision + ")");
+  app.require_subcommand(1);
+  app.footer("Each command has its own --help.");
+
+  WalkArguments walk;
+  add_walk(app, walk);
+
+  ExperimentArguments experiment;
+  add_experiment(app, experiment);
+
+  std::string robot;
+  bool robot_json = false;
+  CLI::App* robot_app = app.add_subcommand("robot", "Show what is recognised of a robot");
+  robot_app->add_option("robot", robot, "URDF file, or the name of a known robot")
+      ->type_name("FILE|NAME")
+      ->required();
+  robot_app->add_flag("--json", robot_json, "Print one JSON object");
+  robot_app->footer("\nExamples:\n  hexagait robot argos\n  hexagait robot mine.urdf --json");
+
+  CLI::App* terrains_app = app.add_subcommand("terrains", "List the terrains");
+  terrains_app->footer("\nExample:\n  hexagait terrains");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    return app.exit(asked);
+  } catch (const CLI::ParseError& error) {
+    fmt::print(stderr, "hexagait: {}; see hexagait --help\n", error.what());
+    return kBadInput;
+  }
+  if (app.got_subcommand("walk")) return walk_command(walk);
+  if (app.got_subcommand("experiment")) return experiment_command(experiment);
+  if (app.got_subcommand(robot_app)) return robot_command(robot, robot_json);
+  return terrains_command();
+}
+
+}  // namespace
+}  // namespace hexagait::app
+
+int main(int argc, char** argv) {
+  try {
+    return hexagait::app::run(argc, argv);
+  } catch (const hexagait::InvalidInput& error) {
+    fmt::print(stderr, "hexagait: {}\n", error.what());
+    return hexagait::app::kBadInput;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "hexagait: {}\n", error.what());
+    return hexagait::app::kFailed;
+  }
+}

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <hexagait/experiments/gnuplot.hpp>
+#include <hexagait/experiments/trace.hpp>
+#include <hexagait/experiments/walk_figure.hpp>
+#include <optional>
+
+#include "commands.hpp"
+#include "interrupt.hpp"
+#include "progress.hpp"
+#include "words.hpp"
+
+namespace hexagait::app {
+namespace {
+
+using experiments::WalkReport;
+
+// A file that an option names, and those that are written with it.
+struct Output {
+  std::filesystem::path path;
+  experiments::StagedFiles files;
+};
+
+// Nothing without the option; refuses a wrong suffix, or a directory that can't be written.
+std::optional<Output> output(const char* option, const std::string& name,
+                             const std::vector<std::string>& suffixes) {
+  if (name.empty()) return {};
+  const std::filesystem::path path(name);
+  if (std::ranges::find(suffixes, path.extension().string()) == suffixes.end())
+    throw InvalidInput(fmt::format("{} is '{}'; it must be a file that ends in {}", option, name,
+                                   fmt::join(suffixes, ", ")));
+  try {
+    Output result{path, experiments::StagedFiles(path.parent_path())};
+    result.files.expect(path.filename());
+    return result;
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(fmt::format("{} is '{}': {}", option, name, error.what()));
+  }
+}
+
+// What is written of a walk beside its summary.
+class Writer {
+ public:
+  Writer(const WalkArguments& arguments, const WalkReport& report, const RobotModel& robot)
+      : robot_(robot),
+        plot_(output("--plot", arguments.plot, {".png", ".svg", ".pdf"})),
+        trace_(output("--trace", arguments.trace, {".csv"})),
+        recording_({report.simulation.terrain, report.simulation.seed}) {
+    if (plot_) experiments::require_gnuplot();
+    if (!trace_) return;
+    rows_ = trace_->files.open(trace_->path.filename());
+    experiments::write_trace_header(rows_, robot);
+  }
+
+  void observe(const footstep_gen::TickRecord& record, const GroundTruth& truth,
+               const walk::Referee& referee) {
+    if (plot_) recording_.observe(record, truth, referee);
+    if (trace_) experiments::write_trace_row(rows_, record, truth, referee);
+  }
+
+  void finish(const WalkReport& report) {
+    if (trace_) {
+      rows_.close();
+      trace_->files.publish();
+    }
+    if (!plot_) return;
+    draw_walk(plot_->files,
+              {plot_->path.stem(), plot_->path.extension(), headline(report), subtitle(report)},
+              recording_, robot_);
+    plot_->files.publish();
+  }
+
+ private:
+  const RobotModel& robot_;
+  std::optional<Output> plot_, trace_;
+  experiments::Recording recording_;
+  std::ofstream rows_;
+};
+
+}  // namespace
+
+int walk_command(const WalkArguments& arguments) {
+  const RobotModel robot = load_urdf(robot_file(arguments.robot));
+  WalkReport report;
+  report.robot = robot.name;
+  report.simulation = simulation(arguments, robot);
+  Writer writer(arguments, report, robot);
+
+  const std::atomic<bool>& interrupted = watch_interrupts();
+  {
+    Progress progress(report.simulation.trial.seconds, Progress::Measure::simulated_seconds,
+                      arguments.quiet);
+    const auto observe = [&](const footstep_gen::TickRecord& record, const GroundTruth& truth,
+                             const walk::Referee& referee) {
+      progress.at(record.state.time);
+      writer.observe(record, truth, referee);
+    };
+    report.summary = simulate(robot, report.simulation, observe, &interrupted);
+  }
+  report.interrupted = interrupted;
+  fmt::print("{}", arguments.json ? to_json(report) + "\n" : in_words(report));
+  std::fflush(stdout);
+  writer.finish(report);
+  if (report.interrupted) return kInterrupted;
+  return report.summary.ok() ? kOk : kFailed;
+}
+
+}  // namespace hexagait::app

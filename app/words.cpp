@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "words.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace hexagait::app {
+namespace {
+
+using experiments::Simulation;
+using experiments::WalkReport;
+using heading_control::Heading;
+using heading_control::Turn;
+using walk::Summary;
+
+double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
+
+// "5.2 mm", "3.1 cm" or "1.25 m": three digits are enough for a person. The stability margin with
+// no foot on the ground is −∞.
+std::string length(double metres) {
+  const double size = std::abs(metres);
+  if (std::isinf(size)) return "none";
+  if (size < 0.00995) return fmt::format("{:.1f} mm", 1e3 * metres);
+  if (size < 0.995) return fmt::format("{:.1f} cm", 1e2 * metres);
+  return fmt::format("{:.2f} m", metres);
+}
+
+std::string line(const Heading& heading) {
+  const double crab = degrees(heading.crab_angle());
+  const std::string crabbing =
+      std::abs(crab) < 0.05 ? "" : fmt::format(", crabbing at {:.4g}°", crab);
+  if (heading.curvature() == 0.0)
+    return crabbing.empty() ? "straight ahead" : "straight" + crabbing + ",";
+  return fmt::format("of a {}-hand arc (r = {:.3g} m{})", heading.radius() > 0.0 ? "left" : "right",
+                     std::abs(heading.radius()), crabbing);
+}
+
+std::string walked(const Simulation& simulation, const Summary& s) {
+  const walk::Schedule& schedule = simulation.trial.schedule;
+  if (schedule.size() > 1)
+    return fmt::format("walked {:.1f} m on {} commands", s.distance, schedule.size());
+  const Heading& heading = schedule.front().heading;
+  if (!heading.moving()) return "stood";
+  if (heading.rho() <= 0.0)
+    return fmt::format("turned {:.0f}° in place, to the {},", std::abs(degrees(s.turned)),
+                       s.turned > 0.0 ? "left" : "right");
+  return fmt::format("walked {:.1f} m {}", s.distance, line(heading));
+}
+
+std::string ground(const sim3d::TerrainSpec& terrain) {
+  return terrain.kind == sim3d::TerrainSpec::Kind::flat ? "on flat ground"
+                                                        : "over " + sim3d::to_string(terrain);
+}
+
+std::string ending(const WalkReport& report) {
+  const Summary& s = report.summary;
+  const std::string so_far = fmt::format("after {:.1f} s it had ", s.seconds);
+  if (report.interrupted) return "Interrupted: " + so_far;
+  if (s.fell) return "Fell: " + so_far;
+  if (s.stuck) return "Stuck, no progress for 10 s: " + so_far;
+  if (s.fault != footstep_gen::Fault::none)
+    return fmt::format("Stopped by a fault ({}): {}", footstep_gen::to_string(s.fault), so_far);
+  return "";
+}
+
+std::string gait(const Summary& s) {
+  if (!s.tripod_after_steps) return "no tripod gait found";
+  return *s.tripod_after_steps == 0 ? "tripod gait from the first"
+                                    : fmt::format("tripod gait after {}", *s.tripod_after_steps);
+}
+
+void add(std::string& text, const char* label, const std::string& value) {
+  text += fmt::format("  {:<12}{}\n", label, value);
+}
+
+}  // namespace
+
+std::string headline(const WalkReport& report) {
+  const Summary& s = report.summary;
+  std::string sentence = ending(report);
+  const bool whole = sentence.empty();
+  sentence += walked(report.simulation, s) + " " + ground(report.simulation.terrain);
+  if (whole) {
+    sentence.front() = static_cast<char>(std::toupper(sentence.front()));
+    sentence += fmt::format(" in {:.3g} s", s.seconds);
+  }
+  return sentence +
+         fmt::format("; never more than {} off the commanded path.", length(s.lateral_max));
+}
+
+std::string subtitle(const WalkReport& report) {
+  const Summary& s = report.summary;
+  return fmt::format(
+      "{}, seed {} · {:.3f} m/s · mean distance from the path {} · {} steps · slip {} per stance · "
+      "stability margin ≥ {}",
+      report.robot, report.simulation.seed, s.speed, length(s.lateral_mean), s.steps,
+      length(s.slip_mean), length(s.margin_min));
+}
+
+std::string in_words(const WalkReport& report) {
+  const Summary& s = report.summary;
+  std::string text = headline(report) + "\n";
+  add(text, "path",
+      fmt::format("{:.2f} m at {:.3f} m/s; turned {:.1f}°", s.distance, s.speed,
+                  degrees(s.turned)));
+  add(text, "off path",
+      fmt::format("mean {}, max {}, at the end {}", length(s.lateral_mean), length(s.lateral_max),
+                  length(s.lateral_end)));
+  add(text, "off heading",
+      fmt::format("max {:.1f}°, at the end {:.1f}°", degrees(s.heading_max),
+                  degrees(s.heading_end)));
+  add(text, "odometry",
+      fmt::format("{} and {:.1f}° from the truth at the end", length(s.odometry_position),
+                  std::abs(degrees(s.odometry_heading))));
+  add(text, "steps", fmt::format("{}; {}", s.steps, gait(s)));
+  add(text, "rule 1",
+      fmt::format("broken {} times; two neighbours off the ground for {:.2f} s", s.rule1_violations,
+                  s.neighbour_flight));
+  add(text, "feet",
+      fmt::format("slip {} mean, {} at the 95th percentile of {} stances; contact "
+                  "lost {} times",
+                  length(s.slip_mean), length(s.slip_p95), s.stances, s.contact_losses));
+  add(text, "body",
+      fmt::format("height {:.3f} … {:.3f} m, roll up to {:.1f}°, pitch up to {:.1f}°", s.height_min,
+                  s.height_max, degrees(s.roll_max), degrees(s.pitch_max)));
+  add(text, "stability",
+      fmt::format("margin at least {}, at the 5th percentile {}", length(s.margin_min),
+                  length(s.margin_p5)));
+  add(text, "speed",
+      fmt::format("{:.1f} × real time; a tick of the controller takes {:.1f} µs "
+                  "(99 %: {:.1f} µs)",
+                  s.real_time_factor, s.tick_median / 1e3, s.tick_p99 / 1e3));
+  return text;
+}
+
+std::string in_words(const RobotModel& robot) {
+  std::string text = fmt::format("{}: {} legs, {:.1f} kg, feet of {} radius.\n", robot.name,
+                                 robot.num_legs(), robot.mass, length(robot.foot_radius));
+  text += fmt::format("  centre of mass ({:.3f}, {:.3f}, {:.3f}) m in the nominal stance\n",
+                      robot.p_BM.x(), robot.p_BM.y(), robot.p_BM.z());
+  text += "  leg    coxa   femur  tibia  reach          workspace centre           radius  [m]\n";
+  for (const LegModel& leg : robot.legs)
+    text += fmt::format(
+        "  {:<5}  {:.3f}  {:.3f}  {:.3f}  {:.3f}…{:.3f}  ({:6.3f}, {:6.3f}, {:6.3f})  {:.3f}\n",
+        leg.name, leg.coxa, leg.femur, leg.tibia, leg.min_reach, leg.max_reach, leg.p_BC.x(),
+        leg.p_BC.y(), leg.p_BC.z(), leg.workspace_radius);
+  text += "  joints  (hip yaw, hip pitch, knee pitch)\n";
+  for (const LegModel& leg : robot.legs) {
+    text += fmt::format("  {:<5}", leg.name);
+    for (std::size_t k = 0; k < leg.joint_names.size(); ++k)
+      text += fmt::format("  {} {:.0f}…{:.0f}°", leg.joint_names[k], degrees(leg.limits[k].lower),
+                          degrees(leg.limits[k].upper));
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace hexagait::app

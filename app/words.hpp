@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <hexagait/experiments/json.hpp>
+
+namespace hexagait::app {
+
+/// A walk for a person: a sentence with the verdict, then a few aligned lines.
+[[nodiscard]] std::string in_words(const experiments::WalkReport& report);
+
+/// A walk in a sentence, and in a line of numbers.
+[[nodiscard]] std::string headline(const experiments::WalkReport& report);
+[[nodiscard]] std::string subtitle(const experiments::WalkReport& report);
+
+/// What was recognised of a robot, for a person.
+[[nodiscard]] std::string in_words(const RobotModel& robot);
+
+}  // namespace hexagait::app

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <hexagait/experiments/experiment.hpp>
+#include <ostream>
+
+namespace hexagait::experiments {
+
+namespace fs = std::filesystem;
+
+const std::vector<Experiment>& experiments() {
+  static const std::vector<Experiment> all = {
+      {"fig9", "[PC04] Fig. 9: straight lines, a turn in place and a curve, on flat ground", fig9},
+      {"fig10", "[PC04] Fig. 10: a turn to the left on abrupt terrain", fig10},
+  };
+  return all;
+}
+
+Manifest run(const Experiment& experiment, const ExperimentContext& context, const fs::path& out) {
+  const fs::path directory = out / experiment.name;
+  std::error_code error;
+  fs::create_directories(directory, error);
+  if (error)
+    throw InvalidInput(
+        fmt::format("can't make the directory '{}': {}", directory.string(), error.message()));
+
+  StagedFiles files(directory);
+  Manifest manifest{experiment.name, experiment.title, experiment.run(context, files), {}};
+  if (context.stop != nullptr && context.stop->load()) return manifest;
+
+  // A PDF carries the date, so its bytes differ from run to run.
+  for (const std::string& name : files.names())
+    if (!name.ends_with(".pdf")) manifest.outputs.push_back({name, files.hash(name)});
+  std::ofstream file = files.create("manifest.json");
+  file << to_json(manifest) << '\n';
+  file.close();
+  files.publish();
+  return manifest;
+}
+
+}  // namespace hexagait::experiments

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <hexagait/core/robot_model.hpp>
+#include <hexagait/experiments/simulation.hpp>
+#include <string>
+#include <vector>
+
+namespace hexagait::experiments {
+
+/// A walk and how it went.
+struct WalkReport {
+  std::string robot;  ///< its name
+  Simulation simulation;
+  walk::Summary summary;
+  bool interrupted = false;  ///< stopped by the user
+};
+
+/// One JSON object, indented. JSON has no infinity: such a number is null, and lines are given by
+/// their curvature.
+[[nodiscard]] std::string to_json(const WalkReport& report);
+
+/// What was recognised of a robot, as one JSON object.
+[[nodiscard]] std::string to_json(const RobotModel& robot);
+
+/// A claim of a paper, tested.
+struct Verdict {
+  std::string claim;    ///< what the paper says
+  bool holds = false;   ///< does it, here?
+  std::string numbers;  ///< the measurements that decide it, in words
+};
+
+/// What an experiment found.
+struct Outcome {
+  WalkReport walk;
+  std::vector<Verdict> verdicts;
+};
+
+/// Where the files of an experiment come from.
+struct Manifest {
+  struct Output {
+    std::string name;
+    std::uint64_t hash = 0;  ///< FNV-1a of the bytes
+  };
+  std::string experiment, title;
+  Outcome outcome;
+  std::vector<Output> outputs;
+};
+
+/// The manifest as one JSON object: version, compiler, configuration, results, hashes. Everything
+/// that depends on the machine's speed is under "timing".
+[[nodiscard]] std::string to_json(const Manifest& manifest);
+
+/// Verdicts of several experiments as one JSON object, by experiment.
+[[nodiscard]] std::string to_json(const std::vector<Manifest>& manifests);
+
+}  // namespace hexagait::experiments
