@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdio>
 #include <hexagait/footstep_gen/walker.hpp>
+
 #include "robot_link.hpp"
 
 using namespace hexagait;

@@ -13,8 +13,8 @@
 inline constexpr int kMaxJoints = 3 * hexagait::kMaxLegs;
 
 struct StatePacket {
-  double time = 0.0;                       // [s]
-  double q[kMaxJoints] = {};               // [rad], leg by leg: yaw, hip, knee
+  double time = 0.0;                        // [s]
+  double q[kMaxJoints] = {};                // [rad], leg by leg: yaw, hip, knee
   double contact[hexagait::kMaxLegs] = {};  // 0 or 1
 };
 

@@ -23,9 +23,7 @@ struct Pose {
   friend Pose operator*(const Pose& X_AB, const Pose& X_BC) {
     return {X_AB.R * X_BC.R, X_AB.R * X_BC.p + X_AB.p};
   }
-  friend Vector3 operator*(const Pose& X_AB, const Vector3& p_B) {
-    return X_AB.R * p_B + X_AB.p;
-  }
+  friend Vector3 operator*(const Pose& X_AB, const Vector3& p_B) { return X_AB.R * p_B + X_AB.p; }
 };
 
 /// A rigid displacement per second (or per step): the twist of a body, expressed in that body.

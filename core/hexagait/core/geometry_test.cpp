@@ -48,8 +48,8 @@ TEST(Rotation, IsUndoneByItsVector) {
   RandomSequence random{.seed = 2};
   for (int k = 0; k < 1000; ++k) {
     const double size = k % 2 == 0 ? 1.0 : 1e-8;
-    const Vector3 w =
-        size * Vector3(random.uniform(-1.7, 1.7), random.uniform(-1.7, 1.7), random.uniform(-1.7, 1.7));
+    const Vector3 w = size * Vector3(random.uniform(-1.7, 1.7), random.uniform(-1.7, 1.7),
+                                     random.uniform(-1.7, 1.7));
     EXPECT_NEAR((rotation_vector(rotation(w)) - w).norm(), 0.0, 1e-13);
   }
 }
@@ -60,7 +60,8 @@ TEST(RollPitchYaw, ReadsTheAnglesOfAProductOfTurns) {
   EXPECT_NEAR((roll_pitch_yaw(R) - Vector3(0.1, 0.2, 0.3)).norm(), 0.0, 1e-15);
 }
 
-// Known-answer vector of Philox4x32-10 with key 0, counter 0 (Random123): first words 6627e8d5 e169c58d.
+// Known-answer vector of Philox4x32-10 with key 0, counter 0 (Random123): first words 6627e8d5
+// e169c58d.
 TEST(Random, IsPhilox4x32) {
   EXPECT_EQ(random_u01(0, static_cast<RandomStream>(0), 0, 0),
             static_cast<double>(0x6627e8d5e169c58dULL >> 11) * 0x1.0p-53);

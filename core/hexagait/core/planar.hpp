@@ -6,8 +6,8 @@
 
 namespace hexagait {
 
-/// Motion of the body in its horizontal plane, per unit of something (a second, or a metre of path).
-/// Expressed in the body frame: the origin moves along v while the body turns at w about z.
+/// Motion of the body in its horizontal plane, per unit of something (a second, or a metre of
+/// path). Expressed in the body frame: the origin moves along v while the body turns at w about z.
 struct PlanarTwist {
   Vector2 v = Vector2::Zero();
   double w = 0.0;
@@ -15,7 +15,7 @@ struct PlanarTwist {
 
 /// A displacement in the plane: turn by angle, then shift. p' = Rz(angle) p + shift.
 struct PlanarPose {
-  double angle = 0.0;             ///< [rad]
+  double angle = 0.0;               ///< [rad]
   Vector2 shift = Vector2::Zero();  ///< [m]
 
   friend PlanarPose operator*(const PlanarPose& a, const PlanarPose& b) {

@@ -9,9 +9,9 @@ namespace hexagait {
 
 /// What a robot can tell about itself at one instant. Nothing about the world but touch.
 struct Measurement {
-  double time = 0.0;         ///< the plant's clock [s]
-  LegArray<LegJoints> q;     ///< joint positions [rad]
-  LegArray<bool> contact;    ///< foot touches something (load above the sensor's threshold)
+  double time = 0.0;       ///< the plant's clock [s]
+  LegArray<LegJoints> q;   ///< joint positions [rad]
+  LegArray<bool> contact;  ///< foot touches something (load above the sensor's threshold)
 };
 
 /// What the robot's servos are to do until the next command.

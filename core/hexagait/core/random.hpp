@@ -6,9 +6,15 @@
 
 namespace hexagait {
 
-/// What a stream of random numbers is for. Separate streams, so that every controller meets the same
-/// terrain and adding a draw to one purpose moves no other.
-enum class RandomStream : std::uint32_t { terrain = 1, posture = 2, commands = 3, noise = 4, test = 5 };
+/// What a stream of random numbers is for. Separate streams, so that every controller meets the
+/// same terrain and adding a draw to one purpose moves no other.
+enum class RandomStream : std::uint32_t {
+  terrain = 1,
+  posture = 2,
+  commands = 3,
+  noise = 4,
+  test = 5
+};
 
 /// A counter-based random number: a pure function of (seed, stream, trial, draw), with no state.
 /// Philox4x32-10 (Salmon et al. 2011), key = seed, counter = (draw, draw >> 32, trial, stream).

@@ -33,9 +33,9 @@ struct Shape {
 /// A rigid link. With all joints at zero its frame L stands at X_BL0 in the body frame B.
 struct LinkModel {
   std::string name;
-  double mass = 0.0;                            ///< [kg]
-  Vector3 p_LM = Vector3::Zero();               ///< centre of mass in L [m]
-  Matrix3 inertia_M_L = Matrix3::Zero();        ///< about the centre of mass, axes of L [kg m²]
+  double mass = 0.0;                      ///< [kg]
+  Vector3 p_LM = Vector3::Zero();         ///< centre of mass in L [m]
+  Matrix3 inertia_M_L = Matrix3::Zero();  ///< about the centre of mass, axes of L [kg m²]
   std::vector<Shape> shapes;
   Pose X_BL0;
 };
@@ -44,22 +44,23 @@ struct LinkModel {
 /// axis, z up, x outwards along the leg at canonical yaw 0. In H, with canonical angles k, of which
 /// positive pitch turns the leg downwards:
 ///
-///     foot = Rz(k₁) · (coxa + femur cos k₂ + tibia cos(k₂+k₃), 0, −femur sin k₂ − tibia sin(k₂+k₃))
+///     foot = Rz(k₁) · (coxa + femur cos k₂ + tibia cos(k₂+k₃), 0, −femur sin k₂ − tibia
+///     sin(k₂+k₃))
 ///
 /// The robot's own joint values q follow by k = sign · q + offset. How all this is derived from the
 /// URDF: recognise_leg(); the workspace: leg_reach(), nominal_foot(), reachable_radius().
 struct LegModel {
   std::string name;
   std::array<std::string, 3> joint_names;
-  Pose X_BH;                                     ///< hip frame in the body frame
-  double coxa = 0.0, femur = 0.0, tibia = 0.0;   ///< link lengths; tibia to the foot's centre [m]
-  Vector3 joint_sign = Vector3::Ones();          ///< ±1
-  Vector3 joint_offset = Vector3::Zero();        ///< [rad]; that of yaw is 0
-  std::array<JointLimits, 3> limits;             ///< of q
-  std::array<LinkModel, 3> links;                ///< coxa, femur, tibia (foot included)
-  std::array<Vector3, 3> p_BJ0;                  ///< a point on each joint axis, all joints zero [m]
-  std::array<Vector3, 3> axis_B0;                ///< joint axes, all joints zero, unit vectors
-  Vector3 p_BF0 = Vector3::Zero();               ///< foot centre, all joints zero [m]
+  Pose X_BH;                                    ///< hip frame in the body frame
+  double coxa = 0.0, femur = 0.0, tibia = 0.0;  ///< link lengths; tibia to the foot's centre [m]
+  Vector3 joint_sign = Vector3::Ones();         ///< ±1
+  Vector3 joint_offset = Vector3::Zero();       ///< [rad]; that of yaw is 0
+  std::array<JointLimits, 3> limits;            ///< of q
+  std::array<LinkModel, 3> links;               ///< coxa, femur, tibia (foot included)
+  std::array<Vector3, 3> p_BJ0;                 ///< a point on each joint axis, all joints zero [m]
+  std::array<Vector3, 3> axis_B0;               ///< joint axes, all joints zero, unit vectors
+  Vector3 p_BF0 = Vector3::Zero();              ///< foot centre, all joints zero [m]
 
   Vector3 p_BC = Vector3::Zero();  ///< workspace centre: the foot centre of the nominal stance [m]
   double workspace_radius = 0.0;   ///< horizontal disc about p_BC that the foot may use [m]
@@ -71,7 +72,7 @@ struct LegModel {
 struct RobotModel {
   std::string name;
   LinkModel base;
-  LegArray<LegModel> legs;  ///< in the order of LegId
+  LegArray<LegModel> legs;         ///< in the order of LegId
   double foot_radius = 0.0;        ///< spherical feet [m]
   double mass = 0.0;               ///< all links [kg]
   Vector3 p_BM = Vector3::Zero();  ///< centre of mass in the nominal stance [m]
@@ -90,9 +91,10 @@ class InvalidInput : public std::runtime_error {
 /// Recognised: a root link with an even number (4 to 12) of serial chains of three revolute or
 /// continuous joints, yaw-pitch-pitch, ending in a spherical foot: the collision sphere of the last
 /// link that is farthest from the knee. All feet have one radius. Links on fixed joints are merged
-/// into what they are fixed to; a merged link needs mass and inertia. Collision meshes are left out.
-/// Legs are put in LegId order by where their hips are, as many left as right.
-/// @throws InvalidInput  if the file is missing, not XML or not such a robot, if a number is none or
+/// into what they are fixed to; a merged link needs mass and inertia. Collision meshes are left
+/// out. Legs are put in LegId order by where their hips are, as many left as right.
+/// @throws InvalidInput  if the file is missing, not XML or not such a robot, if a number is none
+/// or
 ///                       a limit or a mass impossible, or if the nominal stance is out of limits
 [[nodiscard]] RobotModel load_urdf(const std::string& path);
 

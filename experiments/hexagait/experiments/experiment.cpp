@@ -13,6 +13,7 @@ const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> all = {
       {"fig9", "[PC04] Fig. 9: straight lines, a turn in place and a curve, on flat ground", fig9},
       {"fig10", "[PC04] Fig. 10: a turn to the left on abrupt terrain", fig10},
+      {"walks", "the walks by which the controller is judged: headings, postures, terrain", walks},
   };
   return all;
 }

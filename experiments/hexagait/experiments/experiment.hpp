@@ -35,5 +35,6 @@ struct Experiment {
 
 Outcome fig9(const ExperimentContext& context, StagedFiles& files);
 Outcome fig10(const ExperimentContext& context, StagedFiles& files);
+Outcome walks(const ExperimentContext& context, StagedFiles& files);
 
 }  // namespace hexagait::experiments

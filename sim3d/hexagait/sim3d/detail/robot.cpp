@@ -87,8 +87,7 @@ void Robot::make_shapes(const LinkModel& model, const Link& link) {
     const Vector3 p_MS = shape.X_LS.p - link.p_LM;
     dGeomSetOffsetPosition(geom.get(), p_MS.x(), p_MS.y(), p_MS.z());
     dGeomSetOffsetRotation(geom.get(), OdeRotation(shape.X_LS.R).m.data());
-    shapes_.push_back(
-        {std::move(geom), link.body, RobotShape::kNotAFoot, link.body == base_.body});
+    shapes_.push_back({std::move(geom), link.body, RobotShape::kNotAFoot, link.body == base_.body});
   }
 }
 
