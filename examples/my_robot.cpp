@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
-//
 // Your own robot: a plant in another process behind a pipe, walked by the Walker that walks the
 // simulated ones. docs/porting.md goes through it.        my_robot ROBOT.urdf PROGRAM [SECONDS]
 #include <poll.h>
