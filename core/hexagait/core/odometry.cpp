@@ -131,7 +131,8 @@ void Odometry::reset(RobotState& state) {
 void Odometry::update(RobotState& state, const LegArray<double>& footing, double dt) noexcept {
   const int n = model_->num_legs();
   const Vector3 up_B = X_OB_.R.row(2);
-  for (LegId i = 0; i < n; ++i) roll(state, i, state.V_B.w * dt, up_B);
+  for (LegId i = 0; i < n; ++i)
+    if (footing[i] > 0.0) roll(state, i, state.V_B.w * dt, up_B);
 
   const LegArray<double> trust = without_sliding(footing, state.p_BF, anchor_O_);
   const Pose X_OB = registered(X_OB_, state.p_BF, anchor_O_, trust);
