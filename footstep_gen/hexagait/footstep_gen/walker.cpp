@@ -54,6 +54,7 @@ Walker::Walker(const RobotModel& model, const WalkerParams& params)
 
 const TickRecord& Walker::tick(PlantStatus status, const Measurement& measurement,
                                const heading_control::Heading& heading) noexcept {
+  record_.lifts = record_.rule1_violations = LegSet();
   if (!healthy(status, measurement)) return record_;
   sense();         // what the joints and contacts say: feet, odometry
   steer(heading);  // (r, α) → arc, and how far off the commanded curve we are
@@ -144,7 +145,6 @@ void Walker::command() noexcept {
   const double half_step = walks ? 0.5 * params_.step.stroke : 0.0;
   const LegSet support = executor_.support();
   record_.lifts = walks ? record_.gait.may_step & support : LegSet();
-  record_.rule1_violations = LegSet();
   record_.path_to_come = path_to_come(record_.arc, executor_, record_.state, half_step);
 
   for (LegId i = 0; i < model_->num_legs(); ++i) {

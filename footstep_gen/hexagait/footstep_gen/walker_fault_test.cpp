@@ -115,6 +115,15 @@ TEST(WalkerFault, IsClearedByANewStart) {
   EXPECT_EQ(walk.tick().fault, Fault::none);
 }
 
+// A lift is an event of one tick: one in which nothing was decided has none, whatever was before.
+TEST(WalkerFault, LiftsNothingWhileThePlantIsLate) {
+  Walk walk;
+  while (walk.tick().lifts.empty()) {
+  }
+  EXPECT_TRUE(walk.walker.tick(PlantStatus::late, walk.plant.measurement, Heading::straight(0.0))
+                  .lifts.empty());
+}
+
 // Late for up to late_limit = 0.1 s = 50 periods: all holds, and then goes on.
 TEST(WalkerFault, HoldsWhileThePlantIsLateAndGoesOn) {
   Walk walk;
