@@ -67,12 +67,12 @@ gait_state::GaitInput gait_input(const RobotModel& model, const PathArc& arc,
   return input;
 }
 
-double path_to_come(const PathArc& arc, const Executor& executor, const RobotState& state,
-                    double half_step) noexcept {
-  PoseAdaptationInput in = executor.pose_adaptation_input(state);
-  for (LegId i = 0; i < in.p_BF.size(); ++i)
-    if (!in.support.contains(i)) in.p_BF[i] = aep(arc, i, half_step);
-  return std::max(0.0, posture::arc_optimum(in.p_BF, in.p_BC, in.support, arc.per_metre).advance);
+double path_to_come(const PathArc& arc, const Executor& executor, double half_step) noexcept {
+  const LegSet support = executor.support();
+  LegArray<Vector3> p_BF(arc.p_BC.size());
+  for (LegId i = 0; i < p_BF.size(); ++i)
+    p_BF[i] = support.contains(i) ? executor.legs()[i].p_BF : aep(arc, i, half_step);
+  return std::max(0.0, posture::arc_optimum(p_BF, arc.p_BC, support, arc.per_metre).advance);
 }
 
 Footstep footstep(const RobotModel& model, const PathArc& arc, const RobotState& state, LegId leg,

@@ -36,7 +36,7 @@ struct StepParams {
 /// Path that the base will have advanced when every foot that is in the air now has come down on
 /// its AEP [m]: the arc-restricted posture optimum ([PC04] 4) of that moment.
 [[nodiscard]] double path_to_come(const heading_control::PathArc& arc, const Executor& executor,
-                                  const RobotState& state, double half_step) noexcept;
+                                  double half_step) noexcept;
 
 /// The step of one leg: to its AEP ([PC04] eq. 3), taken along by the advance still to come, at the
 /// height of its last footprint.

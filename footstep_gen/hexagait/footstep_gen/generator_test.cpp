@@ -77,10 +77,10 @@ TEST(GaitInput, SaysHowFarFeetLagAndWhichOnesMustGo) {
 TEST(PathToCome, IsTheAdvanceThatTheFeetInTheAirWillAskFor) {
   Stance stance;
   const PathArc arc = stance.arc(Heading::straight(0.3));
-  EXPECT_NEAR(path_to_come(arc, stance.executor, stance.state, 0.1), 0.0, 1e-12);
+  EXPECT_NEAR(path_to_come(arc, stance.executor, 0.1), 0.0, 1e-12);
   stance.lift({0, 3, 4});
-  EXPECT_NEAR(path_to_come(arc, stance.executor, stance.state, 0.1), 0.1, 1e-12);
-  EXPECT_NEAR(path_to_come(arc, stance.executor, stance.state, 0.0), 0.0, 1e-12) << "stopped";
+  EXPECT_NEAR(path_to_come(arc, stance.executor, 0.1), 0.1, 1e-12);
+  EXPECT_NEAR(path_to_come(arc, stance.executor, 0.0), 0.0, 1e-12) << "stopped";
 }
 
 // One leg in the air, five behind by b: Σ lag = 5 b − h, over 5: never backwards.
@@ -88,10 +88,10 @@ TEST(PathToCome, IsNeverNegative) {
   Stance stance = shifted({-0.05, 0.0, 0.0});
   stance.lift({2});
   const PathArc arc = stance.arc(Heading::straight(0.0));
-  EXPECT_EQ(path_to_come(arc, stance.executor, stance.state, 0.1), 0.0);
+  EXPECT_EQ(path_to_come(arc, stance.executor, 0.1), 0.0);
   Stance ahead = shifted({0.05, 0.0, 0.0});
   ahead.lift({2});
-  EXPECT_NEAR(path_to_come(arc, ahead.executor, ahead.state, 0.1), (0.25 + 0.1) / 5.0, 1e-12);
+  EXPECT_NEAR(path_to_come(arc, ahead.executor, 0.1), (0.25 + 0.1) / 5.0, 1e-12);
 }
 
 // AEP = M(s) c, s the half step and what is still to come, in odom; the height is that of the last

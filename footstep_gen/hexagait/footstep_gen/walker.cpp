@@ -145,7 +145,7 @@ void Walker::command() noexcept {
   const double half_step = walks ? 0.5 * params_.step.stroke : 0.0;
   const LegSet support = executor_.support();
   record_.lifts = walks ? record_.gait.may_step & support : LegSet();
-  record_.path_to_come = path_to_come(record_.arc, executor_, record_.state, half_step);
+  record_.path_to_come = path_to_come(record_.arc, executor_, half_step);
 
   for (LegId i = 0; i < model_->num_legs(); ++i) {
     const bool in_air = executor_.legs()[i].phase != LegPhase::support;
