@@ -13,6 +13,8 @@ kBuildPackages=(
 )
 kCheckPackages=(clang clang-format clang-tidy universal-ctags)
 
+export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1  # one clone finds what another has compiled
+
 exec 3>&1  # for progress, from inside a step
 
 say() { printf '%s\n' "$*" >&3; }

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <hexagait/gait_state/stepper.hpp>
+#include <limits>
+
+namespace hexagait::gait_state {
+namespace {
+
+// Sums of step times are off by rounding: this much of a period is no reason to wait on.
+constexpr double kRounding = 1e-9;
+
+bool waits(const Stepper& stepper, LegId rear, LegId other_rear, double time, double period) {
+  const double due =
+      std::max(stepper.lifted_at[rear] + period, stepper.lifted_at[other_rear] + 0.5 * period);
+  return time < due - kRounding * period;
+}
+
+LegSet wave(const Stepper& stepper, const StepperInput& input, double duty_factor) {
+  const int n = stepper.lifted_at.size();
+  const int edge = input.rear_edge < 0 ? hindmost_edge(n) : input.rear_edge;
+  const LegId a = leg_at(edge, n), b = leg_at((edge + 1) % n, n);
+  const double period = stepper.longest_step() / (1.0 - duty_factor);
+  LegSet legs = input.may_step;
+  if (waits(stepper, a, b, input.time, period)) legs.erase(a);
+  if (waits(stepper, b, a, input.time, period)) legs.erase(b);
+  return legs;
+}
+
+}  // namespace
+
+Stepper::Stepper(int n, double step_time)
+    : lifted_at(n, -std::numeric_limits<double>::infinity()), step_time(n, step_time) {}
+
+double Stepper::longest_step() const noexcept {
+  double longest = 0.0;
+  for (const double time : step_time) longest = std::max(longest, time);
+  return longest;
+}
+
+LegSet Stepper::update(const StepperInput& input, const StepperParams& params) noexcept {
+  const int n = lifted_at.size();
+  for (LegId leg = 0; leg < n; ++leg) {
+    if (!stepping.contains(leg) || input.airborne.contains(leg)) continue;
+    step_time[leg] = input.time - lifted_at[leg];
+    stepping.erase(leg);
+  }
+
+  LegSet lifts = input.may_step;
+  if (params.stepping == Stepping::wave) lifts = wave(*this, input, params.duty_factor);
+  if (params.stepping == Stepping::tripod) {
+    lifts = second_is_next ? second_tripod(n) : first_tripod(n);
+    if (!input.airborne.empty()) lifts = LegSet();
+    if (!lifts.empty()) second_is_next = !second_is_next;
+  }
+
+  for (LegId leg = 0; leg < n; ++leg)
+    if (lifts.contains(leg)) lifted_at[leg] = input.time;
+  stepping = stepping | lifts;
+  return lifts;
+}
+
+}  // namespace hexagait::gait_state
