@@ -168,6 +168,7 @@ SliceSummary SliceRobot::summary() const {
     add_to_hash(s.hash, std::bit_cast<std::uint64_t>(foot_[leg]));
   }
   add_to_hash(s.hash, static_cast<std::uint16_t>(airborne_.bits()));
+  add_to_hash(s.hash, std::bit_cast<std::uint64_t>(position_));
   if (s.lifts > 0) s.sweep_mean = swept_ / s.lifts;
   if (landings > 0) s.step_time = static_cast<double>(air_time) / landings;
 
