@@ -163,11 +163,11 @@ set bmargin at screen 0.45; set tmargin at screen 0.66
 set label 3 "{/:Bold b}   Legs in the air"
 type_shade(k) = k == 4 ? 0x5d7a8c : k == 3 ? 0x93a9b7 : k == 2 ? 0xbccad4 : k == 1 ? 0xdfe6eb : 0xffffff
 do for [k=1:4] {
-  set label 10+k "■" at graph 0.87+0.03*k, graph 1 offset 0, 0.9 left textcolor rgb type_shade(k)
-  set label 20+k "ABCD"[k:k] at graph 0.88+0.03*k, graph 1 offset 0, 0.9 left textcolor rgb ink \
+  set label 10+k "■" at graph 0.865+0.03*k, graph 1 offset 0, 0.9 left textcolor rgb type_shade(k)
+  set label 20+k "ABCD"[k:k] at graph 0.875+0.03*k, graph 1 offset 0, 0.9 left textcolor rgb ink \
       font small
 }
-set label 10 "type of state" at graph 0.893, graph 1 offset 0, 0.9 right textcolor rgb ink font small
+set label 10 "type of state" at graph 0.888, graph 1 offset 0, 0.9 right textcolor rgb ink font small
 set yrange [legs+0.75:-0.65]
 set ytics @row_names scale 0
 set grid noytics
@@ -220,7 +220,7 @@ std::string variables(const std::vector<Segment>& segments, const Recording& rec
   std::string begins, names, notes;
   for (std::size_t k = 0; k <= segments.size() / 2; ++k) {
     const Segment& s = segments[k];
-    begins += fmt::format("{:.4f} ", s.judged_from - 0.1);
+    begins += fmt::format("{:.4f} ", s.judged_from);
     names += fmt::format("\"β = {}\" ", s.name);
     notes += fmt::format("\"measured {:.3f}, {:.3f} m/s\" ", s.mean_duty, s.speed);
   }

@@ -40,7 +40,8 @@ struct Walk {
   Walker walker;
   testing::KinematicPlant plant;
   std::vector<std::vector<Step>> steps;
-  LegArray<double> longest_wait;  ///< between two lifts [s]
+  LegArray<double> longest_wait;       ///< between two lifts [s]
+  LegArray<double> landed_lag, sweep;  ///< of the last stance [m of path]
   double time = 0.0;
 
   Walk(const RobotModel& model, const WalkerParams& params, std::uint32_t trial = 0)
@@ -48,7 +49,9 @@ struct Walk {
         walker(model, params),
         plant(model, 0.7, {.seed = 21, .stream = RandomStream::posture, .trial = trial}),
         steps(static_cast<std::size_t>(n), std::vector<Step>(1)),
-        longest_wait(n, 0.0) {
+        longest_wait(n, 0.0),
+        landed_lag(n, 0.0),
+        sweep(n, 0.0) {
     walker.start(plant.measurement);
   }
 
@@ -62,8 +65,15 @@ struct Walk {
     LegSet off_ground;
     for (LegId i = 0; i < n; ++i) {
       off_ground.set(i, !record.legs[i].supports(walker.params().executor.swing));
-      if (record.legs[i].lifted) steps_of(i).push_back({time, 0.0});
-      if (record.legs[i].touched_down) steps_of(i).back().land = time;
+      const double lag = record.gait_input.lag[i];
+      if (record.legs[i].lifted) {
+        steps_of(i).push_back({time, 0.0});
+        sweep[i] = lag - landed_lag[i];
+      }
+      if (record.legs[i].touched_down) {
+        steps_of(i).back().land = time;
+        landed_lag[i] = lag;
+      }
       longest_wait[i] = std::max(longest_wait[i], time - steps_of(i).back().lift);
     }
     EXPECT_FALSE(gait_state::breaks_rule_1(off_ground, n));
@@ -183,6 +193,23 @@ TEST(WaveGait, StarvesNoLegHoweverTheDutyFactorAndTheHeadingChange) {
     if (HasFailure()) return;
   }
   for (LegId i = 0; i < 6; ++i) EXPECT_LT(walk.longest_wait[i], 12.0 * 0.9) << "leg " << i;
+}
+
+// The stroke is 0.20 m: so much path passes while a foot stands, and speed is S (1 − β)/(β T). A
+// leg that stands for a little more than β P, because it waited for a neighbour, sweeps as much
+// more.
+TEST(WaveGait, SweepsTheStrokeAtEveryDutyFactor) {
+  const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  for (const double duty_factor : {0.5, 0.6, 0.625, 0.75, 5.0 / 6.0}) {
+    Walk walk(model, params_of(Stepping::wave, duty_factor));
+    walk.walk(Heading::straight(0.0), 30.0);
+    double mean = 0.0;
+    for (const double sweep : walk.sweep) {
+      EXPECT_NEAR(sweep, 0.20, 0.06) << duty_factor;
+      mean += sweep / 6.0;
+    }
+    EXPECT_NEAR(mean, 0.20, 0.016) << duty_factor;
+  }
 }
 
 // "Why does leg 5 not step?"
