@@ -58,47 +58,65 @@ std::string period_of(const std::string& types) {
   return types;
 }
 
-void walk(WaveGait& gait, std::size_t panel, std::ostream& steps, std::ostream& states) {
+// A settled robot that is about to lift leg 6, at the right rear: a wave begins with it.
+sim2d::SliceRobot settled_robot(const WaveGait& gait) {
   sim2d::SliceRobot robot({.gait = gait_state::parse_gait_choice(gait.spelling).value()}, {1, 0});
-  // Until a slice after kSettling in which leg 6, at the right rear, lifts: a wave begins with it.
-  sim2d::SliceRecord record;
-  for (int slice = 0; slice < kSettling || !record.lifted.contains(5); ++slice) {
-    sim2d::SliceRobot before = robot;
-    record = robot.advance();
-    if (slice >= kSettling && record.lifted.contains(5)) robot = before;
+  for (int slice = 0;; ++slice) {
+    const sim2d::SliceRobot before = robot;
+    if (robot.advance().lifted.contains(5) && slice >= kSettling) return before;
   }
+}
 
+// Rows "panel,from,to,…" of the times in which value(record) stays the same; rows without are left
+// out.
+template <class Value>
+void write_spans(std::ostream& out, std::size_t panel, const std::vector<sim2d::SliceRecord>& walk,
+                 const Value& value) {
+  for (std::size_t from = 0, to = 0; from < walk.size(); from = to) {
+    const std::string row = value(walk[from]);
+    while (to < walk.size() && value(walk[to]) == row) ++to;
+    if (!row.empty()) fmt::print(out, "{},{},{},{}\n", panel, from, to, row);
+  }
+}
+
+void walk(WaveGait& gait, std::size_t panel, std::ostream& steps, std::ostream& states) {
+  sim2d::SliceRobot robot = settled_robot(gait);
+  std::vector<sim2d::SliceRecord> records;
   std::string types;
   for (int slice = 0; slice < kShown; ++slice) {
-    record = robot.advance();
-    const char type = letter_of(type_of(record.gait.state));
+    const sim2d::SliceRecord& record = records.emplace_back(robot.advance());
     gait.has_ccn_3 &= record.gait.state.ccn() == 3;
-    fmt::print(states, "{},{},{},{},{}\n", panel, slice, to_string(record.gait.state), type,
-               type - 'A' + 1);
-    for (LegId leg = 0; leg < 6; ++leg)
-      if (record.airborne.contains(leg))
-        fmt::print(steps, "{},{},{},{:d}\n", panel, slice, leg + 1, record.lifted.contains(leg));
     if (record.lifted.empty()) continue;
-    types += type;
+    types += letter_of(type_of(record.gait.state));
     if (slice < kShown / 2)
       gait.lifts += fmt::format("{}{}", gait.lifts.empty() ? "" : " · ", numbers(record.lifted));
   }
   gait.found = period_of(types);
+
+  for (LegId leg = 0; leg < 6; ++leg)
+    write_spans(steps, panel, records, [&](const sim2d::SliceRecord& record) {
+      return record.airborne.contains(leg) ? std::to_string(leg + 1) : std::string();
+    });
+  write_spans(states, panel, records, [](const sim2d::SliceRecord& record) {
+    const auto type = type_of(record.gait.state);
+    return fmt::format("{},{},{}", to_string(record.gait.state), letter_of(type),
+                       static_cast<int>(type));
+  });
 }
 
 constexpr const char* kScript = R"(
 set multiplot
+state_font = sized(":Bold", 9)
 set label 1 headline at screen 0.05, 0.955 left noenhanced font sized("", 15) textcolor rgb ink
 set label 2 subtitle at screen 0.05, 0.905 left noenhanced font sized("", 10.5) textcolor rgb grey
 type_shade(k) = k == 4 ? 0x5d7a8c : k == 3 ? 0x93a9b7 : k == 2 ? 0xbccad4 : 0xdfe6eb
 unset key
 set xrange [0:72]; set yrange [7.75:0.4]
-set ytics ("6" 6, "4" 4, "2" 2, "5" 5, "3" 3, "1" 1, "state" 7.15) scale 0
 set xtics 12
 set grid noytics
 set style fill solid 1 noborder
 row(leg) = leg == 2 ? 1 : leg == 4 ? 2 : leg == 6 ? 3 : leg == 1 ? 4 : leg == 3 ? 5 : 6
-set ytics ("2" 1, "4" 2, "6" 3, "1" 4, "3" 5, "5" 6, "state" 7.2)
+set ytics ("2" 1, "4" 2, "6" 3, "1" 4, "3" 5, "5" 6, "state" 7.2) scale 0
 do for [p=0:3] {
   left = 0.05 + 0.49*(p % 2); top = 0.82 - 0.415*(p/2)
   set lmargin at screen left; set rmargin at screen left + 0.435
@@ -108,14 +126,14 @@ do for [p=0:3] {
   set label 4 word(lifts, p+1) at graph 1, graph 1 offset 0, 0.9 right textcolor rgb grey \
       font sized("", 9.5)
   if (p > 1) { set xlabel "time [slices]" offset 0, 0.4 } else { unset xlabel }
-  plot "fig3-steps.csv" using ($1 == p && $3 % 2 == 1 ? $2 : NaN):(row($3)):2:($2+1):(row($3)-0.34):(row($3)+0.34) \
+  plot "fig3-steps.csv" using ($1 == p && int($4) % 2 == 1 ? $2 : NaN):(row($4)):2:3:(row($4)-0.34):(row($4)+0.34) \
            with boxxyerror lc rgb left_side, \
-       "fig3-steps.csv" using ($1 == p && $3 % 2 == 0 ? $2 : NaN):(row($3)):2:($2+1):(row($3)-0.34):(row($3)+0.34) \
+       "fig3-steps.csv" using ($1 == p && int($4) % 2 == 0 ? $2 : NaN):(row($4)):2:3:(row($4)-0.34):(row($4)+0.34) \
            with boxxyerror lc rgb right_side, \
-       "fig3-states.csv" using ($1 == p ? $2 : NaN):(7):2:($2+1):(6.85):(7.55):(type_shade($5)) \
+       "fig3-states.csv" using ($1 == p ? $2 : NaN):(7):2:3:(6.85):(7.55):(type_shade($6)) \
            with boxxyerror lc rgb variable, \
-       "fig3-states.csv" using ($1 == p && int($2) % 6 == 2 ? $2 + 1 : NaN):(7.2):4 \
-           with labels font sized(":Bold", 9) textcolor rgb ink
+       "fig3-states.csv" using ($1 == p ? 0.5*($2+$3) : NaN):(7.2):5:($6 == 4 ? 0xffffff : 0x1d2b36) \
+           with labels font state_font textcolor rgb variable
   unset label 1; unset label 2
 }
 unset multiplot
@@ -144,8 +162,8 @@ void draw(StagedFiles& files, const std::vector<WaveGait>& gaits) {
 Outcome fig3(const ExperimentContext&, StagedFiles& files) {
   std::vector<WaveGait> gaits = family();
   std::ofstream steps = files.create("fig3-steps.csv"), states = files.create("fig3-states.csv");
-  steps << "panel,slice,leg,lifts\n";
-  states << "panel,slice,state,type,type_number\n";
+  steps << "panel,from,to,leg\n";
+  states << "panel,from,to,state,type,type_number\n";
   for (std::size_t k = 0; k < gaits.size(); ++k) walk(gaits[k], k, steps, states);
   steps.close();
   states.close();

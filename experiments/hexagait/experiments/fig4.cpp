@@ -137,8 +137,8 @@ double bulge_of(const Transition& t) {
   if (from == 'A') return 0.32;               // to B, round C
   if (from == 'D' && to == 'D') return 0.18;  // there and back
   if (from == 'B' && to == 'C') return 0.06;
-  if (from == 'C' && to == 'D') return 0.10;
-  if (from == 'D' && to == 'C') return 0.10;
+  if (from == 'C' && to == 'D') return 0.24;  // round B
+  if (from == 'D' && to == 'C') return 0.24;
   return 0.0;
 }
 
@@ -147,8 +147,9 @@ void draw_states(Drawing& drawing, const std::vector<Transition>& all) {
   for (const Transition& t : all)
     drawing.arrow(curve(place_of(t.from), place_of(t.to), bulge_of(t), kRadius),
                   kColour[static_cast<std::size_t>(t.legs.size())], 1.3);
-  for (const Transition& t : all)
-    node(drawing, place_of(t.from), kRadius, letter(t.from), to_string(t.from));
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (k == 0 || all[k].from != all[k - 1].from)
+      node(drawing, place_of(all[k].from), kRadius, letter(all[k].from), to_string(all[k].from));
 }
 
 void draw(StagedFiles& files, const std::vector<Transition>& all) {

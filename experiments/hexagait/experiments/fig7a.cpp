@@ -34,8 +34,8 @@ plot trials using 4:($1+spread($3)):(gait_colour($1)) with points pt 7 ps 0.4 lc
 unset label 1; unset label 2
 set lmargin at screen 0.655; set rmargin at screen 0.98
 set label 3 "{/:Bold b}   Ahead of the tripod controller, in pairs"
-set format y ""
-set xrange [-7.2:0.6]; set xtics 1
+unset ytics
+set xrange [-7.4:0.9]; set xtics 1
 set arrow 1 from 0, graph 0 to 0, graph 1 nohead lc rgb grey lw 1 dt 2
 plot trials using 6:($1 > 0 ? $1+spread($3) : NaN):(gait_colour($1)) with points pt 7 ps 0.4 lc rgb variable, \
      means using ($1 > 0 ? $6 : NaN):1:7 with xerrorbars pt 2 ps 0 lw 2 lc rgb ink, \

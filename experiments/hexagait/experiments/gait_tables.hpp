@@ -15,7 +15,7 @@ namespace hexagait::experiments {
 struct Table1Cell {
   int ccn = 0;
   char type = '-';
-  int states = 0;                    ///< how many of the 62
+  int states = 0;                         ///< how many of the 62
   std::vector<std::string> classes = {};  ///< one state per class of rotations
 };
 

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <hexagait/experiments/gnuplot.hpp>
 #include <hexagait/experiments/slice_comparison.hpp>
 
@@ -50,7 +52,8 @@ SliceComparison compare_gaits(const std::vector<std::string>& gaits, const std::
 }
 
 std::string spelt(const Estimate& e) {
-  return fmt::format("{:.3f} ± {:.3f}", e.mean, e.half_width);
+  const double mean = std::abs(e.mean) < 5e-4 ? 0.0 : e.mean;  // no "-0.000"
+  return fmt::format("{:.3f} ± {:.3f}", mean, e.half_width);
 }
 
 Table summary_table(const SliceComparison& c) {
