@@ -40,8 +40,9 @@ double Stepper::longest_step() const noexcept {
 
 LegSet Stepper::update(const StepperInput& input, const StepperParams& params) noexcept {
   const int n = lifted_at.size();
-  for (LegId leg = 0; leg < n; ++leg) {
-    if (!stepping.contains(leg) || input.airborne.contains(leg)) continue;
+  const LegSet landed(stepping.bits() & ~input.airborne.bits());
+  for (LegId leg = 0; !landed.empty() && leg < n; ++leg) {
+    if (!landed.contains(leg)) continue;
     step_time[leg] = input.time - lifted_at[leg];
     stepping.erase(leg);
   }
@@ -54,7 +55,7 @@ LegSet Stepper::update(const StepperInput& input, const StepperParams& params) n
     if (!lifts.empty()) second_is_next = !second_is_next;
   }
 
-  for (LegId leg = 0; leg < n; ++leg)
+  for (LegId leg = 0; !lifts.empty() && leg < n; ++leg)
     if (lifts.contains(leg)) lifted_at[leg] = input.time;
   stepping = stepping | lifts;
   return lifts;
