@@ -50,7 +50,7 @@ std::string period_of(const std::string& types) {
     if (!repeats) continue;
     std::string text = types.substr(0, length), first = text;
     for (std::size_t turn = 0; turn < length; ++turn) {
-      std::ranges::rotate(text, text.begin() + 1);
+      std::rotate(text.begin(), text.begin() + 1, text.end());
       first = std::min(first, text);
     }
     return first;

@@ -57,7 +57,7 @@ int rotation_of(const GaitState& state) {
   std::string canonical = kCanonical.at(letter(state));
   for (int turn = 0; turn < kLegs; ++turn) {
     if (canonical == to_string(state)) return turn;
-    std::ranges::rotate(canonical, canonical.end() - 1);
+    std::rotate(canonical.begin(), canonical.end() - 1, canonical.end());
   }
   return 0;
 }

@@ -12,6 +12,7 @@
 #include <hexagait/experiments/gnuplot.hpp>
 #include <iterator>
 #include <sstream>
+#include <utility>
 
 namespace hexagait::experiments {
 namespace {
@@ -36,6 +37,21 @@ int spawn_gnuplot(const fs::path& directory, std::string assignment, std::string
   int status = 0;
   if (failed != 0 || waitpid(child, &status, 0) < 0) return -1;
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+// gnuplot writes "Family:Bold" as the name of a family, and none for where that is missing.
+void name_fonts(const fs::path& svg) {
+  std::ifstream file(svg, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  file.close();
+  const std::pair<std::string, std::string> names[] = {
+      {":Bold\"", "\" font-weight=\"bold\""},
+      {"\"DejaVu Sans\"", "\"DejaVu Sans, Verdana, sans-serif\""},
+      {"\"DejaVu Sans Mono\"", "\"DejaVu Sans Mono, Consolas, monospace\""}};
+  for (const auto& [old, better] : names)
+    for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += better.size())
+      text.replace(at, old.size(), better);
+  std::ofstream(svg, std::ios::binary) << text;
 }
 
 constexpr const char* kTerminals = R"(
@@ -78,7 +94,10 @@ void require_gnuplot() {
 }
 
 void run_gnuplot(const fs::path& directory, const std::string& script, const std::string& figure) {
-  if (spawn_gnuplot(directory, "figure=" + quoted(figure), script) == 0) return;
+  if (spawn_gnuplot(directory, "figure=" + quoted(figure), script) == 0) {
+    if (figure.ends_with(".svg")) name_fonts(directory / figure);
+    return;
+  }
   std::ifstream log(directory / kLog);
   const std::string said{std::istreambuf_iterator<char>(log), {}};
   throw std::runtime_error(fmt::format("gnuplot could not draw {}:\n{}", figure, said));

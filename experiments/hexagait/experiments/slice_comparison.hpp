@@ -55,12 +55,12 @@ struct SliceComparison {
 /// The names by which the figures call the gaits.
 [[nodiscard]] std::string title_of(const std::string& gait);
 
-/// Data of two panels: dots with means, and paired differences to the first gait. Writes
-/// STEM-trials.csv and STEM-means.csv.
+/// STEM-trials.csv, a row per gait and trial, and STEM-means.csv, a row per gait.
 void write_comparison(StagedFiles& files, const std::string& stem,
                       const SliceComparison& comparison);
 
-/// gnuplot: a function `dots(x)` and the panels' macros; needs `rows`, `names` and `stem`.
+/// The part of a gnuplot script that names those files, has a row per gait, and spreads the dots of
+/// its trials about it.
 [[nodiscard]] std::string comparison_script(const std::string& stem,
                                             const SliceComparison& comparison);
 

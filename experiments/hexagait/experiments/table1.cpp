@@ -21,7 +21,7 @@ constexpr int kLegs = 6;
 std::string class_of(const GaitState& state) {
   std::string text = to_string(state), first = text;
   for (int turn = 0; turn < kLegs; ++turn) {
-    std::ranges::rotate(text, text.begin() + 1);
+    std::rotate(text.begin(), text.begin() + 1, text.end());
     first = std::min(first, text);
   }
   return first;
