@@ -34,7 +34,9 @@ struct StepperParams {
 
 struct StepperInput {
   double time = 0.0;   ///< any unit, the same always; never decreases
-  LegSet airborne;     ///< legs that are not in contact with the ground
+  /// Legs that do not stand: from the update after the one that lifted them, even if their feet
+  /// are still being unloaded, until they bear load again. Else a step would seem to end at once.
+  LegSet airborne;
   LegSet may_step;     ///< GaitDecision::may_step
   int rear_edge = -1;  ///< wave: ring edge (gait 1) between the two rear legs; < 0: the hindmost
 };

@@ -36,7 +36,7 @@ Theorem literal_reading(const Rules& rules, const Scope&) {
       "[PC04] 3.3 to the letter, relations anew in every slice and then adjusted, walks exactly as "
       "without adjustment: the same legs step in every slice, for ever.";
   theorem.convention =
-      "Six legs. One update of both from the same memory and the same feet: every raw memory, "
+      "Six legs. One update of both from the same raw memory and the same feet: every raw memory, "
       "every "
       "set of legs in the air that keeps rule 1, lags that differ by ±0.8 or ±1.5 tolerances from "
       "leg "
@@ -56,13 +56,14 @@ Theorem literal_reading(const Rules& rules, const Scope&) {
     for (RingBits raw = 0; raw <= ring_mask(kLegs); ++raw) {
       for (const LegArray<double>& lags : rows) {
         const GaitInput input{lags, LegSet(air), {}};
-        GaitLatch a{{raw, kLegs}, {raw, kLegs}, LegSet(air)}, b = a;
+        const GaitState memory{raw, kLegs};
+        GaitLatch a{rules.adjusted(memory, kLegs / 2), memory, LegSet(air)};
+        GaitLatch b{memory, memory, LegSet(air)};
         const GaitDecision with = rules.update(a, input, literal);
         const GaitDecision without = rules.update(b, input, none);
         theorem.check(with.may_step == without.may_step && a.raw == b.raw, [&] {
-          return fmt::format("raw memory {}: adjusted {}, not adjusted {}",
-                             to_string(GaitState{raw, kLegs}), to_string(with.state),
-                             to_string(without.state));
+          return fmt::format("raw memory {}: adjusted {}, not adjusted {}", to_string(memory),
+                             to_string(with.state), to_string(without.state));
         });
         in_vain += with.state == without.state ? 0 : 1;
         ++theorem.cases;

@@ -63,6 +63,7 @@ Theorem no_lock(const Rules& rules, const Scope&) {
   const std::vector<GaitState> states = non_cyclic_states(kLegs), any = all_relations();
   std::int64_t cases = 0, cyclic = 0;
   const auto check = [&](const LatchStep& step) {
+    if (!theorem.holds()) return;
     const Combined result = rules.combine(step);
     theorem.check(is_lively[result.state.bits], [&] { return words(step); });
     cyclic += result.was_cyclic ? 1 : 0;
@@ -103,6 +104,7 @@ Theorem rule_1(const Rules& rules, const Scope&) {
   const std::vector<GaitState> states = non_cyclic_states(kLegs), any = all_relations();
   const std::vector<LegSet> sets = flights();
   const auto check = [&](GaitLatch latch, const GaitInput& input, const GaitState& order) {
+    if (!theorem.holds()) return;
     const LatchStep start{latch.stored, latch.raw, order, order, {}};
     const GaitDecision decision = rules.update(latch, input, {});
     const bool keeps_rule_1 = !breaks_rule_1(input.airborne | decision.may_step, kLegs);

@@ -55,11 +55,12 @@ Theorem states(const Rules&, const Scope&) {
     ++theorem.cases;
   }
   for (const auto& [key, cell] : cells) {
+    const int ccn = key.first;
     const std::string type(1, kTypes[static_cast<std::size_t>(key.second)]);
     const auto classes = static_cast<std::int64_t>(cell.classes.size());
-    theorem.table.add(key.first, type, cell.states, classes, cell.first);
+    theorem.table.add(ccn, type, cell.states, classes, cell.first);
     theorem.check(classes == 1, [&] {
-      return fmt::format("{} classes of CCN {} and type {}", classes, key.first, type);
+      return fmt::format("{} classes of CCN {} and type {}", classes, ccn, type);
     });
   }
   theorem.check(cells.size() == 12 && theorem.cases == 62, [] { return "other cells, or more"; });

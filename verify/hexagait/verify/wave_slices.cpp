@@ -49,8 +49,9 @@ bool is_wave(std::span<const LegSet> lifted, int n, int step_time, int rear_edge
   const LegId rear = leg_at(rear_edge, n);
   int start = 0;
   while (start < period && !lifted[static_cast<std::size_t>(start)].contains(rear)) ++start;
+  if (start == period) return false;
   std::vector<LegSet> expected(lifted.size());
-  for (int j = 0; j < n / 2 && start < period; ++j) {
+  for (int j = 0; j < n / 2; ++j) {
     const auto at = [&](int slice) -> LegSet& {
       return expected[static_cast<std::size_t>((start + slice) % period)];
     };
