@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <bit>
 #include <cassert>
 #include <cstdint>
 #include <hexagait/core/leg.hpp>
@@ -52,15 +53,17 @@ using RingBits = std::uint32_t;
 
 [[nodiscard]] constexpr RingBits ring_bits(LegSet legs, int n) noexcept {
   RingBits bits = 0;
-  for (int k = 0; k < n; ++k) bits |= ((legs.bits() >> leg_at(k, n)) & 1U) << k;
+  for (std::uint32_t rest = legs.bits() & ring_mask(n); rest != 0; rest &= rest - 1)
+    bits |= 1U << position_of(std::countr_zero(rest), n);
   return bits;
 }
 
 /// Inverse of ring_bits.
 [[nodiscard]] constexpr LegSet legs_at(RingBits bits, int n) noexcept {
-  std::uint32_t legs = 0;
-  for (int k = 0; k < n; ++k) legs |= ((bits >> k) & 1U) << leg_at(k, n);
-  return LegSet(legs);
+  LegSet legs;
+  for (RingBits rest = bits & ring_mask(n); rest != 0; rest &= rest - 1)
+    legs.insert(leg_at(std::countr_zero(rest), n));
+  return legs;
 }
 
 /// The two neighbours of a leg.
