@@ -170,9 +170,10 @@ TEST_F(Cli, HelpsWithExamples) {
     EXPECT_THAT(result.err, IsEmpty());
   }
   EXPECT_THAT(run("--version").out, HasSubstr("hexagait 0."));
-  EXPECT_THAT(run("terrains").out, AllOf(HasSubstr("flat"), HasSubstr("boxes:H")));
   EXPECT_THAT(run("experiment --list").out, AllOf(HasSubstr("table1"), HasSubstr("fig7b"),
                                                   HasSubstr("fig9"), HasSubstr("fig10")));
+  EXPECT_THAT(run("terrains").out,
+              AllOf(HasSubstr("flat"), HasSubstr("boxes:H"), HasSubstr("rough:H")));
 }
 
 TEST_F(Cli, PrintsOneJsonObjectWithEveryResult) {
@@ -326,6 +327,28 @@ TEST_F(Cli, StopsCleanlyWhenInterrupted) {
   EXPECT_EQ(json["interrupted"], true);
   EXPECT_GT(json["seconds"].get<double>(), 0.0);
   EXPECT_TRUE(content(here() / "walk.csv").ends_with('\n'));
+}
+
+TEST_F(Cli, WalksGenghisInTheSideView) {
+  const Result result = run("walk --robot genghis2d --seconds 3 --plot g.svg --trace g.csv --json");
+  EXPECT_EQ(result.status, 0);
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["robot"], "genghis2d");
+  EXPECT_EQ(json["gait"], "free");
+  EXPECT_EQ(json["rule1_violations"], 0);
+  EXPECT_EQ(json["state_hash"].get<std::string>().size(), 16U);
+  EXPECT_THAT(content(here() / "g.svg"), HasSubstr("From the side"));
+  EXPECT_GT(fs::file_size(here() / "g.csv"), 1000U);
+}
+
+TEST_F(Cli, RefusesInTheSideViewWhatMakesNoSenseThere) {
+  const std::string walk = "walk --robot genghis2d ";
+  for (const char* option : {"--radius 3", "--spin cw", "--random-commands 3", "--no-contacts"})
+    refuses(walk + option, {std::string(option).substr(0, 5), "genghis2d"});
+  refuses(walk + "--crab 20deg", {"--crab", "'20deg'", "180deg"});
+  refuses(walk + "--terrain boxes:0.1", {"boxes:0.1", "rough:H", "step:H"});
+  refuses(walk + "--random-posture 0.2", {"--random-posture", "0.05"});
+  refuses(walk + "--physics-step 0.003 --control-period 0.005", {"--control-period", "0.003"});
 }
 
 TEST_F(Cli, ShowsWhatItRecognisesOfARobot) {

@@ -18,6 +18,8 @@ const std::vector<Experiment>& experiments() {
       {"fig6", "[PC04] Fig. 6: the first steps, of three gait generators", fig6},
       {"fig7a", "[PC04] Fig. 7-A: mean speed on flat ground", fig7a},
       {"fig7b", "[PC04] Fig. 7-B: mean speed on rough ground", fig7b},
+      {"fig7_physics", "[PC04] Fig. 7 once more: Genghis in Box2D, on rougher and rougher ground",
+       fig7_physics},
       {"fig9", "[PC04] Fig. 9: straight lines, a turn in place and a curve, on flat ground", fig9},
       {"fig10", "[PC04] Fig. 10: a turn to the left on abrupt terrain", fig10},
       {"wave_family",

@@ -40,6 +40,7 @@ Outcome fig4(const ExperimentContext& context, StagedFiles& files);
 Outcome fig6(const ExperimentContext& context, StagedFiles& files);
 Outcome fig7a(const ExperimentContext& context, StagedFiles& files);
 Outcome fig7b(const ExperimentContext& context, StagedFiles& files);
+Outcome fig7_physics(const ExperimentContext& context, StagedFiles& files);
 Outcome fig9(const ExperimentContext& context, StagedFiles& files);
 Outcome fig10(const ExperimentContext& context, StagedFiles& files);
 Outcome wave_family(const ExperimentContext& context, StagedFiles& files);

@@ -17,7 +17,7 @@ using Sample = GenghisRecording::Sample;
 
 constexpr int kWidth = 1500;      // [px]
 constexpr int kHead = 120;        // above the side view [px]
-constexpr int kBelow = 570;       // for the panels below it [px]
+constexpr int kBelow = 535;       // for the panels below it [px]
 constexpr int kTallest = 420;     // side view [px]
 constexpr double kLongest = 3.0;  // of it [m]
 constexpr double kApart = 0.45;   // from one drawn robot to the next [m]
