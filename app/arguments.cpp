@@ -63,6 +63,23 @@ Heading heading(const WalkArguments& arguments) {
   return Heading::arc(option_value("--radius", arguments.radius, walk::parse_radius), alpha);
 }
 
+gait_state::GaitChoice gait(const WalkArguments& arguments) {
+  if (!arguments.duty_factor.empty()) {
+    const auto choice = gait_state::parse_gait_choice("wave:" + arguments.duty_factor);
+    if (choice) return *choice;
+    throw InvalidInput(
+        fmt::format("--duty-factor is '{}'; it must be at least 0.5 (tripod) and less than 1, such "
+                    "as 0.75 (tetrapod)",
+                    arguments.duty_factor));
+  }
+  if (arguments.gait.empty()) return {};
+  const auto choice = gait_state::parse_gait_choice(arguments.gait);
+  if (choice) return *choice;
+  throw InvalidInput(
+      fmt::format("--gait is '{}'; it must be {}, BETA at least 0.5 and less than 1",
+                  arguments.gait, gait_state::kGaitChoices));
+}
+
 walk::Schedule schedule(const WalkArguments& arguments, std::uint64_t seed, double seconds) {
   if (!arguments.commands.empty()) return walk::load_schedule(arguments.commands);
   if (arguments.random_commands.empty()) return {{0.0, heading(arguments)}};
@@ -102,6 +119,7 @@ experiments::Simulation simulation(const WalkArguments& arguments, const RobotMo
   result.control_dt = control_period(arguments.control_period, result.physics_dt);
   result.sensors = {.joint_feedback = !arguments.no_joint_feedback,
                     .foot_contacts = !arguments.no_contacts};
+  result.gait = gait(arguments);
   if (!arguments.random_posture.empty())
     result.random_posture = posture_spread(arguments.random_posture, robot);
 

@@ -11,6 +11,7 @@ namespace hexagait::app {
 struct WalkArguments {
   std::string robot = "argos";
   std::string radius, crab, spin, commands, random_commands;
+  std::string gait, duty_factor;
   std::string terrain = "flat";
   std::string seed = "1", seconds = "40", distance;
   std::string random_posture, physics_step, control_period;

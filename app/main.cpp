@@ -16,6 +16,7 @@ Examples:
   hexagait walk --radius 3 --terrain boxes:0.10     to the left over boxes of up to 10 cm
   hexagait walk --spin cw --seconds 10              on the spot, to the right
   hexagait walk --crab 45deg --distance 2 --json    diagonally, as one JSON object
+  hexagait walk --duty-factor 0.75                  a tetrapod wave gait
   hexagait walk --random-commands 5 --plot walk.svg --trace walk.csv
 
 Exit status: 0 walked to the end; 1 fell, stuck or fault; 2 bad usage or input; 130 Ctrl-C.)";
@@ -37,6 +38,15 @@ void add_walk(CLI::App& app, WalkArguments& a) {
   auto* random = walk->add_option("--random-commands", a.random_commands,
                                   "A random command every so many seconds")
                      ->type_name("S");
+  auto* gait = walk->add_option("--gait", a.gait,
+                                "free (default), unadjusted, literal, tripod (waits for all legs) "
+                                "or wave:BETA")
+                   ->type_name("G");
+  walk->add_option("--duty-factor", a.duty_factor,
+                   "Wave gait: share of the time that a leg stands, 0.5 (tripod) to < 1; the same "
+                   "as --gait wave:BETA")
+      ->type_name("BETA")
+      ->excludes(gait);
   spin->excludes(radius)->excludes(crab);
   commands->excludes(radius)->excludes(crab)->excludes(spin);
   random->excludes(radius)->excludes(crab)->excludes(spin)->excludes(commands);

@@ -28,11 +28,12 @@ std::string kind(const Heading& heading) {
 
 Json commands(const walk::Schedule& schedule) {
   Json list = Json::array();
-  for (const walk::TimedHeading& command : schedule)
+  for (const walk::TimedCommand& command : schedule)
     list.push_back({{"at_s", command.time},
                     {"heading", kind(command.heading)},
                     {"curvature_per_m", finite(command.heading.curvature())},
-                    {"crab_rad", command.heading.crab_angle()}});
+                    {"crab_rad", command.heading.crab_angle()},
+                    {"duty_factor", command.duty_factor ? Json(*command.duty_factor) : Json()}});
   return list;
 }
 
@@ -49,6 +50,7 @@ Json configuration(const WalkReport& report) {
           {"commands", commands(schedule)},
           {"seconds_asked", simulation.trial.seconds},
           {"distance_asked_m", finite(simulation.trial.distance)},
+          {"gait", gait_state::to_string(simulation.gait)},
           {"random_posture_m", simulation.random_posture},
           {"foot_contacts", simulation.sensors.foot_contacts},
           {"joint_feedback", simulation.sensors.joint_feedback},

@@ -16,6 +16,8 @@ walk::Summary simulate(const RobotModel& robot, const Simulation& simulation,
   footstep_gen::WalkerParams walker_params;
   walker_params.control_dt = simulation.control_dt;
   walker_params.sensors = simulation.sensors;
+  walker_params.gait.adjustment = simulation.gait.adjustment;
+  walker_params.stepper = simulation.gait.stepper;
   footstep_gen::Walker walker(robot, walker_params);
 
   const auto watch = [&](const auto& record, const auto& truth, const auto& referee) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <hexagait/gait_state/gait_choice.hpp>
 #include <hexagait/sim3d/world.hpp>
 #include <hexagait/walk/trial.hpp>
 #include <string>
@@ -16,6 +17,7 @@ struct Simulation {
   double physics_dt = 0.002;  ///< physics step [s]
   double control_dt = 0.002;  ///< control period, a whole number of physics steps [s]
   footstep_gen::SensorMask sensors;
+  gait_state::GaitChoice gait;  ///< until the schedule says otherwise
   double random_posture = 0.0;  ///< feet start displaced by up to this [m]
   walk::TrialOptions trial;
 };

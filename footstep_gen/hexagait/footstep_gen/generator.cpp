@@ -51,6 +51,14 @@ double stability_left(const SupportPolygon& polygon, const Vector2& p_BM, const 
 
 }  // namespace
 
+double nominal_step_time(const SwingParams& swing, const StepParams& step) noexcept {
+  const double rise = 0.43 * swing.lift_time;
+  const double sideways = swing.transfer_time - swing.overlap_time;
+  const double down =
+      step.height / swing.descent_speed + swing.touchdown_margin / swing.touchdown_speed;
+  return swing.unload_time + rise + sideways + down + swing.confirm_time;
+}
+
 gait_state::GaitInput gait_input(const RobotModel& model, const PathArc& arc,
                                  const Executor& executor, const StepParams& params) noexcept {
   const int n = model.num_legs();

@@ -27,6 +27,11 @@ struct StepParams {
   double stability_margin = 0.03;
 };
 
+/// How long a step on flat ground takes, from the command to lift until the foot counts as support
+/// [s]: T of (gait 5) until a step has been seen. The phases of a swing, each in its own words; the
+/// rise to the height at which the foot may move sideways as 0.43 of the lift.
+[[nodiscard]] double nominal_step_time(const SwingParams& swing, const StepParams& step) noexcept;
+
 /// Lag, urgency and ground contact of each leg: what the gait state decides by.
 [[nodiscard]] gait_state::GaitInput gait_input(const RobotModel& model,
                                                const heading_control::PathArc& arc,

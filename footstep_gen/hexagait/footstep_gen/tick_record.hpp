@@ -40,10 +40,12 @@ struct TickRecord {
   // gait_state
   gait_state::GaitInput gait_input;
   gait_state::GaitDecision gait;
+  int rear_edge = 0;  ///< ring edge between the rear legs, for this heading
+  LegSet lifts;       ///< legs commanded to lift in this tick
+  LegSet waits;       ///< legs that may step and are held back: (gait 5), or the tripod's turn
 
   // footstep_gen
-  LegSet lifts;                  ///< legs commanded to lift in this tick
-  LegSet rule1_violations;       ///< of those, with a neighbour not in support
+  LegSet rule1_violations;       ///< legs that lift with a neighbour not in support
   double path_to_come = 0.0;     ///< advance still to come when all airborne feet stand [m of path]
   LegArray<Footstep> footsteps;  ///< the last one of each leg
   BaseAuto base_auto;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
+#include <hexagait/footstep_gen/rear_edge.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/gait_state/ring.hpp>
 
@@ -50,15 +51,16 @@ Walker::Walker(const RobotModel& model, const WalkerParams& params)
       params_(params),
       workspaces_(heading_control::workspaces(model)),
       odometry_(model),
+      stepper_(model.num_legs(), nominal_step_time(params.executor.swing, params.step)),
       executor_(model, params.executor) {}
 
 const TickRecord& Walker::tick(PlantStatus status, const Measurement& measurement,
                                const heading_control::Heading& heading) noexcept {
-  record_.lifts = record_.rule1_violations = LegSet();
+  record_.lifts = record_.waits = record_.rule1_violations = LegSet();
   if (!healthy(status, measurement)) return record_;
   sense();         // what the joints and contacts say: feet, odometry
   steer(heading);  // (r, α) → arc, and how far off the commanded curve we are
-  decide();        // gait state: who may step
+  decide();        // gait state: who may step; stepper: who does
   command();       // Footstep and BaseAuto
   execute();       // Free Gait core: set points, joint targets
   return record_;
@@ -89,6 +91,7 @@ void Walker::start(const Measurement& measurement) {
   tracker_.reset({0.0, Vector2::Zero()});
   record_.heading = heading_control::Heading::stop();
   record_.arc = path_arc(record_.heading, workspaces_);
+  record_.rear_edge = rear_edge(record_.arc, gait_state::hindmost_edge(model_->num_legs()));
 }
 
 // Bad input ends here: nothing behind it ever sees a number that is not finite.
@@ -129,6 +132,7 @@ void Walker::steer(const heading_control::Heading& heading) noexcept {
   if (!(heading == record_.heading)) {
     record_.heading = heading;
     record_.arc = path_arc(heading, workspaces_);
+    record_.rear_edge = rear_edge(record_.arc, record_.rear_edge);
     tracker_.follow(record_.arc.per_metre);
   }
   const Pose& X_OB = record_.state.X_OB;
@@ -138,13 +142,20 @@ void Walker::steer(const heading_control::Heading& heading) noexcept {
 void Walker::decide() noexcept {
   record_.gait_input = gait_input(*model_, record_.arc, executor_, params_.step);
   record_.gait = latch_.update(record_.gait_input, params_.gait);
+
+  // Who is told to stand may not step, but steps under way still end.
+  const LegSet may_step = record_.heading.moving() ? record_.gait.may_step : LegSet();
+  record_.lifts = stepper_.update({.time = static_cast<double>(ticks_++) * params_.control_dt,
+                                   .airborne = record_.gait_input.airborne,
+                                   .may_step = may_step,
+                                   .rear_edge = record_.rear_edge},
+                                  params_.stepper);
+  record_.waits = LegSet(may_step.bits() & ~record_.lifts.bits());
 }
 
 void Walker::command() noexcept {
   const bool walks = record_.heading.moving();
   const double half_step = walks ? 0.5 * params_.step.stroke : 0.0;
-  const LegSet support = executor_.support();
-  record_.lifts = walks ? record_.gait.may_step & support : LegSet();
   record_.path_to_come = path_to_come(record_.arc, executor_, half_step);
 
   for (LegId i = 0; i < model_->num_legs(); ++i) {

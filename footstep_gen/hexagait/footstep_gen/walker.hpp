@@ -5,6 +5,7 @@
 #include <hexagait/core/odometry.hpp>
 #include <hexagait/footstep_gen/generator.hpp>
 #include <hexagait/footstep_gen/tick_record.hpp>
+#include <hexagait/gait_state/stepper.hpp>
 #include <hexagait/heading_control/path_tracker.hpp>
 
 namespace hexagait::footstep_gen {
@@ -19,6 +20,7 @@ struct WalkerParams {
   double control_dt = 0.002;  ///< control period [s]
   SensorMask sensors;
   gait_state::GaitParams gait;
+  gait_state::StepperParams stepper;  ///< free, wave or tripod: the gait to begin with
   StepParams step;
   ExecutorParams executor;
   double late_limit = 0.1;  ///< without a measurement for longer, the walker stops for good [s]
@@ -40,6 +42,12 @@ class Walker {
   /// @param status  late: the measurement is ignored and the robot holds, after late_limit it stops
   const TickRecord& tick(PlantStatus status, const Measurement& measurement,
                          const heading_control::Heading& heading) noexcept;
+
+  /// From the next tick on, who of those that may step does: the free gait, a wave gait of a duty
+  /// factor, the waiting tripod. May be turned while walking, at any time; start() keeps it.
+  void set_stepping(const gait_state::StepperParams& stepping) noexcept {
+    params_.stepper = stepping;
+  }
 
   /// Stops at once and for good: velocities zero, set points kept, until start().
   void emergency_stop() noexcept { stop(Fault::emergency_stop); }
@@ -64,7 +72,9 @@ class Walker {
   Odometry odometry_;
   heading_control::PathTracker tracker_;
   gait_state::GaitLatch latch_;
+  gait_state::Stepper stepper_;
   Executor executor_;
+  long ticks_ = 0;        ///< that were walked: a late period makes no step longer
   double silence_ = 0.0;  ///< time since the last fresh measurement [s]
   TickRecord record_;
 };

@@ -50,7 +50,7 @@ LegSet Stepper::update(const StepperInput& input, const StepperParams& params) n
   if (params.stepping == Stepping::wave) lifts = wave(*this, input, params.duty_factor);
   if (params.stepping == Stepping::tripod) {
     lifts = second_is_next ? second_tripod(n) : first_tripod(n);
-    if (!input.airborne.empty()) lifts = LegSet();
+    if (!input.airborne.empty() || input.may_step.empty()) lifts = LegSet();
     if (!lifts.empty()) second_is_next = !second_is_next;
   }
 

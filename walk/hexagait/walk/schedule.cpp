@@ -17,7 +17,7 @@ namespace {
 using heading_control::Heading;
 using heading_control::Turn;
 
-constexpr std::string_view kKeys[] = {"at", "radius", "crab", "spin", "stop"};
+constexpr std::string_view kKeys[] = {"at", "radius", "crab", "spin", "stop", "duty_factor"};
 
 std::optional<double> number(std::string_view text) {
   double value = 0.0;
@@ -64,15 +64,28 @@ Heading read_heading(const YAML::Node& node) {
   return Heading::arc(radius, crab);
 }
 
-TimedHeading read_command(const YAML::Node& node) {
+std::optional<double> read_duty_factor(const YAML::Node& node) {
+  if (!node["duty_factor"]) return {};
+  const std::string text = scalar(node["duty_factor"]);
+  const std::optional<double> value = number(text);
+  if (!value || !(0.5 <= *value && *value < 1.0))
+    throw InvalidInput(
+        fmt::format("duty_factor is '{}'; it must be at least 0.5 (tripod) and less than 1", text));
+  return value;
+}
+
+// A command of nothing but a duty factor keeps the heading of the one before.
+TimedCommand read_command(const YAML::Node& node, const Heading& before) {
   if (!node.IsMap()) throw InvalidInput("a command must be a map such as {at: 0, radius: 1.5}");
-  int kinds = 0;
+  int kinds = 0, headings = 0;
   for (const auto& entry : node) {
     const std::string key = scalar(entry.first);
     if (std::find(std::begin(kKeys), std::end(kKeys), key) == std::end(kKeys))
       throw InvalidInput(
-          fmt::format("unknown key '{}'; there are at, radius, crab, spin and stop", key));
+          fmt::format("unknown key '{}'; there are at, radius, crab, spin, stop and "
+                      "duty_factor", key));
     kinds += key == "spin" || key == "stop" || key == "radius";
+    headings += key != "at" && key != "duty_factor";
   }
   if (kinds > 1) throw InvalidInput("radius, spin and stop exclude each other");
   if (!node["at"]) throw InvalidInput("'at', the time of the command in seconds, is missing");
@@ -80,16 +93,18 @@ TimedHeading read_command(const YAML::Node& node) {
   const std::optional<double> time = number(at);
   if (!time || !std::isfinite(*time) || *time < 0.0)
     throw InvalidInput(fmt::format("at is '{}'; it must be a time of 0 s or more", at));
-  return {*time, read_heading(node)};
+  const std::optional<double> duty_factor = read_duty_factor(node);
+  const bool keeps = duty_factor && headings == 0;
+  return {*time, keeps ? before : read_heading(node), duty_factor};
 }
 
 }  // namespace
 
-const Heading& heading_at(const Schedule& schedule, double time) {
+const TimedCommand& command_at(const Schedule& schedule, double time) {
   const auto later =
       std::upper_bound(schedule.begin(), schedule.end(), time + 1e-9,
-                       [](double t, const TimedHeading& command) { return t < command.time; });
-  return later == schedule.begin() ? schedule.front().heading : std::prev(later)->heading;
+                       [](double t, const TimedCommand& command) { return t < command.time; });
+  return later == schedule.begin() ? schedule.front() : *std::prev(later);
 }
 
 Schedule load_schedule(const std::string& path) {
@@ -109,7 +124,9 @@ Schedule load_schedule(const std::string& path) {
   Findings findings(path);
   for (const YAML::Node& node : root) {
     try {
-      schedule.push_back(read_command(node));
+      const Heading before =
+          schedule.empty() ? Heading::straight(0.0) : schedule.back().heading;
+      schedule.push_back(read_command(node, before));
       if (schedule.size() > 1 && schedule.back().time <= schedule[schedule.size() - 2].time)
         throw InvalidInput(
             fmt::format("at is {} s, not later than the command before", schedule.back().time));

@@ -4,29 +4,34 @@
 
 #include <cstdint>
 #include <hexagait/heading_control/heading.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace hexagait::walk {
 
-/// A heading command and the time from which it holds.
-struct TimedHeading {
+/// A command and the time from which it holds.
+struct TimedCommand {
   double time = 0.0;  ///< [s]
   heading_control::Heading heading = heading_control::Heading::stop();
+  /// β: from now on a wave gait of this duty factor; none: the gait stays as it was.
+  std::optional<double> duty_factor = {};
 };
 
-/// Heading commands in the order of time, the first at 0.
-using Schedule = std::vector<TimedHeading>;
+/// Commands in the order of time, the first at 0.
+using Schedule = std::vector<TimedCommand>;
 
 /// The command that holds at a time; the first one before it.
-[[nodiscard]] const heading_control::Heading& heading_at(const Schedule& schedule, double time);
+[[nodiscard]] const TimedCommand& command_at(const Schedule& schedule, double time);
 
 /// Reads a schedule from a YAML file: a list of commands, each with its time,
 ///
 ///     - {at: 0, radius: inf}                  # straight; crab: 0 if not given
 ///     - {at: 5, radius: 1.5, crab: 20deg}     # arc to the left; angles in rad, or with deg
 ///     - {at: 9, spin: cw}
-///     - {at: 12, stop: true}
+///     - {at: 12, duty_factor: 0.75}         # a wave gait from now on; the heading stays
+///     - {at: 15, radius: -2, duty_factor: 0.5}
+///     - {at: 20, stop: true}
 ///
 /// @throws InvalidInput  with file, line and what would be right, for everything that is wrong
 [[nodiscard]] Schedule load_schedule(const std::string& path);

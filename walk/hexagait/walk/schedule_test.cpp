@@ -95,14 +95,14 @@ TEST(Schedule, ListsAllMistakesAtOnce) {
 // A command holds from its time on, also where k · dt misses it by a rounding error.
 TEST(Schedule, HoldsEachCommandFromItsTimeOn) {
   const Schedule schedule = {{0.0, Heading::straight(0.1)}, {0.3, Heading::straight(0.2)}};
-  EXPECT_EQ(heading_at(schedule, 0.0), schedule[0].heading);
-  EXPECT_EQ(heading_at(schedule, 0.298), schedule[0].heading);
-  EXPECT_EQ(heading_at(schedule, 0.1 * 3.0 - 1e-12), schedule[1].heading);
-  EXPECT_EQ(heading_at(schedule, 99.0), schedule[1].heading);
+  EXPECT_EQ(command_at(schedule, 0.0).heading, schedule[0].heading);
+  EXPECT_EQ(command_at(schedule, 0.298).heading, schedule[0].heading);
+  EXPECT_EQ(command_at(schedule, 0.1 * 3.0 - 1e-12).heading, schedule[1].heading);
+  EXPECT_EQ(command_at(schedule, 99.0).heading, schedule[1].heading);
 }
 
 TEST(Schedule, HoldsTheFirstCommandBeforeItsTime) {
-  EXPECT_EQ(heading_at({{2.0, Heading::straight(0.1)}}, 0.0), Heading::straight(0.1));
+  EXPECT_EQ(command_at({{2.0, Heading::straight(0.1)}}, 0.0).heading, Heading::straight(0.1));
 }
 
 TEST(RandomSchedule, IsAPureFunctionOfItsArguments) {
@@ -128,7 +128,7 @@ TEST(RandomSchedule, OfALongerTimeBeginsTheSame) {
 // turns, half go left.
 TEST(RandomSchedule, HasTheSharesItPromises) {
   int straight = 0, spins = 0, left = 0;
-  for (const TimedHeading& command : random_schedule(1, 1.0, 2000.0)) {
+  for (const TimedCommand& command : random_schedule(1, 1.0, 2000.0)) {
     const Heading& heading = command.heading;
     straight += heading.curvature() == 0.0;
     spins += heading.rho() == 0.0;

@@ -41,9 +41,12 @@ Summary run_trial(footstep_gen::Walker& walker, Plant& plant, const GroundTruth&
   const double processor_start = processor_seconds();
   PlantStatus status = PlantStatus::fresh;
   for (long k = 0; k < ticks; ++k) {
-    const auto& heading = heading_at(options.schedule, static_cast<double>(k) * dt);
+    const TimedCommand& command = command_at(options.schedule, static_cast<double>(k) * dt);
+    if (command.duty_factor)
+      walker.set_stepping(
+          {.stepping = gait_state::Stepping::wave, .duty_factor = *command.duty_factor});
     const auto before = std::chrono::steady_clock::now();
-    const footstep_gen::TickRecord& record = walker.tick(status, measurement, heading);
+    const footstep_gen::TickRecord& record = walker.tick(status, measurement, command.heading);
     tick_times.push_back(
         std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - before)
             .count());
