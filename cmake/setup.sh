@@ -6,7 +6,7 @@
 kLogs=build/log
 kBuildPackages=(
   build-essential cmake ninja-build ccache pkg-config
-  libeigen3-dev libfmt-dev libode-dev librandom123-dev liburdfdom-dev
+  libbox2d-dev libeigen3-dev libfmt-dev libode-dev librandom123-dev liburdfdom-dev
   libyaml-cpp-dev                                               # the library
   libcli11-dev nlohmann-json3-dev gnuplot-nox                   # the hexagait command
   libbenchmark-dev libgmock-dev libgtest-dev liborocos-kdl-dev  # benchmarks and tests

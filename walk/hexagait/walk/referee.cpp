@@ -25,37 +25,7 @@ LegSet feet_in_contact(const GroundTruth& truth) {
   return feet;
 }
 
-// One tripod within the tolerance, and which.
-std::optional<LegSet> tripod_of(const TimedLift* first, int num_legs, double tolerance) {
-  const int half = num_legs / 2;
-  LegSet legs;
-  for (int k = 0; k < half; ++k) legs.insert(first[k].leg);
-  const bool together = first[half - 1].time - first[0].time <= tolerance;
-  const bool tripod =
-      legs == gait_state::first_tripod(num_legs) || legs == gait_state::second_tripod(num_legs);
-  return together && tripod ? std::optional(legs) : std::nullopt;
-}
-
 }  // namespace
-
-std::optional<int> first_tripod_gait(const std::vector<TimedLift>& lifts, int num_legs,
-                                     double step_time) {
-  constexpr int kGroups = 4;
-  const int half = num_legs / 2;
-  const int count = static_cast<int>(lifts.size());
-  for (int k = 0; k + kGroups * half <= count; ++k) {
-    std::optional<LegSet> before;
-    int groups = 0;
-    for (; groups < kGroups; ++groups) {
-      const auto tripod =
-          tripod_of(&lifts[static_cast<std::size_t>(k + groups * half)], num_legs, 0.2 * step_time);
-      if (!tripod || tripod == before) break;
-      before = tripod;
-    }
-    if (groups == kGroups) return k;
-  }
-  return std::nullopt;
-}
 
 double percentile(std::vector<double> values, double share) {
   if (values.empty()) return 0.0;
@@ -202,7 +172,7 @@ Summary Referee::summary() const {
   s.margin_min = percentile(margins_, 0.0);
   s.margin_p5 = percentile(margins_, 0.05);
   s.tripod_after_steps =
-      first_tripod_gait(lifts_, model_->num_legs(), percentile(swing_times_, 0.5));
+      gait_state::first_tripod_gait(lifts_, model_->num_legs(), percentile(swing_times_, 0.5));
   return s;
 }
 

@@ -3,23 +3,15 @@
 #pragma once
 
 #include <hexagait/core/ground_truth.hpp>
+#include <hexagait/gait_state/tripod_gait.hpp>
 #include <hexagait/walk/reference_path.hpp>
 #include <hexagait/walk/summary.hpp>
 #include <vector>
 
 namespace hexagait::walk {
 
-/// A leg was commanded to lift.
-struct TimedLift {
-  LegId leg = 0;
-  double time = 0.0;  ///< [s]
-};
-
-/// Leg lifts before the tripod gait: the number of lifts before the first of four consecutive
-/// groups of n/2 lifts that are alternately the one and the other tripod, each lifted within 20 %
-/// of a step time. None if that never happens.
-[[nodiscard]] std::optional<int> first_tripod_gait(const std::vector<TimedLift>& lifts,
-                                                   int num_legs, double step_time);
+using gait_state::first_tripod_gait;
+using gait_state::TimedLift;
 
 /// Judges a walk by ground truth, tick by tick. Sees what the controller can't, and tells it
 /// nothing.
