@@ -75,9 +75,8 @@ gait_state::GaitChoice gait(const WalkArguments& arguments) {
   if (arguments.gait.empty()) return {};
   const auto choice = gait_state::parse_gait_choice(arguments.gait);
   if (choice) return *choice;
-  throw InvalidInput(
-      fmt::format("--gait is '{}'; it must be {}, BETA at least 0.5 and less than 1",
-                  arguments.gait, gait_state::kGaitChoices));
+  throw InvalidInput(fmt::format("--gait is '{}'; it must be {}, BETA at least 0.5 and less than 1",
+                                 arguments.gait, gait_state::kGaitChoices));
 }
 
 walk::Schedule schedule(const WalkArguments& arguments, std::uint64_t seed, double seconds) {

@@ -120,6 +120,16 @@ TEST_F(Cli, RefusesHeadingsThatAreNone) {
   refuses("walk --commands none.yaml", {"none.yaml"});
 }
 
+TEST_F(Cli, RefusesGaitsThatItDoesNotKnow) {
+  for (const char* value : {"trot", "wave", "wave:0.4", "wave:1", "Free"})
+    refuses(std::string("walk --gait ") + value, {"--gait", "free", "tripod", "wave:BETA"});
+  for (const char* value : {"0.49", "1", "nan", "half", "0.7x"})
+    refuses(std::string("walk --duty-factor ") + value, {"--duty-factor", "0.5", "less than 1"});
+  refuses("walk --gait tripod --duty-factor 0.75", {"--gait", "--duty-factor"});
+  write("beta.yaml", "- {at: 0}\n- {at: 1, duty_factor: 0.3}\n");
+  refuses("walk --commands ../beta.yaml", {"../beta.yaml:2", "duty_factor", "'0.3'", "0.5"});
+}
+
 TEST_F(Cli, RefusesOptionsThatContradict) {
   refuses("walk --radius 1 --spin cw", {"--radius", "--spin"});
   refuses("walk --crab 1 --spin cw", {"--crab", "--spin"});
@@ -205,6 +215,28 @@ TEST_F(Cli, PrintsOneJsonObjectWithEveryResult) {
   EXPECT_EQ(json["state_hash"].get<std::string>().size(), 16U);
   EXPECT_EQ(json["falls"], 0);
   EXPECT_EQ(json["fault"], "none");
+}
+
+TEST_F(Cli, TellsTheGaitAndTheCommandsInJson) {
+  const auto json_of = [&](const std::string& arguments) {
+    return nlohmann::json::parse(run("walk --seconds 0.2 --json " + arguments).out);
+  };
+  EXPECT_EQ(json_of("")["gait"], "free");
+  EXPECT_EQ(json_of("--gait tripod")["gait"], "tripod");
+  EXPECT_EQ(json_of("--duty-factor 0.75")["gait"], "wave:0.75");
+  write("beta.yaml", "- {at: 0, radius: 2}\n- {at: 0.1, duty_factor: 0.75}\n");
+  const auto json = json_of("--gait unadjusted --commands ../beta.yaml");
+  EXPECT_EQ(json["gait"], "unadjusted");
+  EXPECT_TRUE(json["commands"][0]["duty_factor"].is_null());
+  EXPECT_EQ(json["commands"][1]["duty_factor"], 0.75);
+  EXPECT_EQ(json["commands"][1]["curvature_per_m"], 0.5);
+}
+
+TEST_F(Cli, WalksAWaveGaitOnRequest) {
+  EXPECT_EQ(
+      nlohmann::json::parse(run("walk --seconds 3 --gait wave:0.6 --json").out)["state_hash"],
+      nlohmann::json::parse(run("walk --seconds 3 --duty-factor 0.6 --json").out)["state_hash"]);
+  EXPECT_THAT(run("walk --help").out, AllOf(HasSubstr("--duty-factor"), HasSubstr("--gait")));
 }
 
 // JSON has no infinity: a turn in place has no curvature to tell.

@@ -114,6 +114,7 @@ std::string in_words(const WalkReport& report) {
   add(text, "odometry",
       fmt::format("{} and {:.1f}° from the truth at the end", length(s.odometry_position),
                   std::abs(degrees(s.odometry_heading))));
+  add(text, "gait", gait_state::to_string(report.simulation.gait));
   add(text, "steps", fmt::format("{}; {}", s.steps, gait(s)));
   add(text, "rule 1",
       fmt::format("broken {} times; two neighbours off the ground for {:.2f} s", s.rule1_violations,

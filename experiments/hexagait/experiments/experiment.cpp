@@ -13,6 +13,9 @@ const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> all = {
       {"fig9", "[PC04] Fig. 9: straight lines, a turn in place and a curve, on flat ground", fig9},
       {"fig10", "[PC04] Fig. 10: a turn to the left on abrupt terrain", fig10},
+      {"wave_family",
+       "[PC04] 3.2: wave gaits of every duty factor, 1/2 to 5/6 and back, in one walk",
+       wave_family},
       {"walks", "the walks by which the controller is judged: headings, postures, terrain", walks},
   };
   return all;

@@ -35,6 +35,7 @@ struct Experiment {
 
 Outcome fig9(const ExperimentContext& context, StagedFiles& files);
 Outcome fig10(const ExperimentContext& context, StagedFiles& files);
+Outcome wave_family(const ExperimentContext& context, StagedFiles& files);
 Outcome walks(const ExperimentContext& context, StagedFiles& files);
 
 }  // namespace hexagait::experiments

@@ -69,7 +69,7 @@ TEST(Counter, SeesAnAllocation) {
 }
 
 // 2000 ticks, of which the first is the first after start: headings change, in the middle of steps
-// too, periods are late, the walker stops and goes on and comes to a fault.
+// too, the gait is turned, periods are late, the walker stops and goes on and comes to a fault.
 TEST(Walker, NeitherAllocatesNorFreesInATick) {
   for (const int n : {6, 12}) {
     const RobotModel robot = testing::robot_of(n);
@@ -82,6 +82,9 @@ TEST(Walker, NeitherAllocatesNorFreesInATick) {
     Heading heading = Heading::straight(0.0);
     for (int k = 0; k < 2000; ++k) {
       if (k % 170 == 0) heading = Heading::arc(random.uniform(0.1, 2.0), random.uniform(-3, 3));
+      if (k % 400 == 200)
+        walker.set_stepping({.stepping = static_cast<gait_state::Stepping>(k / 400 % 3),
+                             .duty_factor = random.uniform(0.5, 0.9)});
       if (k % 300 == 299) heading = heading.stopped();
       const PlantStatus status = k % 50 == 49 ? PlantStatus::late : PlantStatus::fresh;
       plant.follow(walker.tick(status, plant.measurement, heading), 0.002);

@@ -6,8 +6,8 @@
 
 namespace hexagait::footstep_gen {
 
-/// The ring edge (gait 1) between the two legs that are the rear ones for a heading: of all pairs of
-/// neighbours the one whose workspace centres lie farthest against the motion,
+/// The ring edge (gait 1) between the two legs that are the rear ones for a heading: of all pairs
+/// of neighbours the one whose workspace centres lie farthest against the motion,
 ///
 ///     score = −v · (c_a + c_b) / 2
 ///

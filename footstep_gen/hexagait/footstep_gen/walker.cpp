@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 #include <hexagait/footstep_gen/rear_edge.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
@@ -63,6 +64,7 @@ const TickRecord& Walker::tick(PlantStatus status, const Measurement& measuremen
   decide();        // gait state: who may step; stepper: who does
   command();       // Footstep and BaseAuto
   execute();       // Free Gait core: set points, joint targets
+  ++ticks_;
   return record_;
 }
 
@@ -145,7 +147,7 @@ void Walker::decide() noexcept {
 
   // Who is told to stand may not step, but steps under way still end.
   const LegSet may_step = record_.heading.moving() ? record_.gait.may_step : LegSet();
-  record_.lifts = stepper_.update({.time = static_cast<double>(ticks_++) * params_.control_dt,
+  record_.lifts = stepper_.update({.time = time(),
                                    .airborne = record_.gait_input.airborne,
                                    .may_step = may_step,
                                    .rear_edge = record_.rear_edge},
@@ -163,12 +165,22 @@ void Walker::command() noexcept {
     const bool lifts = record_.lifts.contains(i);
     if (!in_air && !lifts) continue;
     record_.footsteps[i] = footstep(*model_, record_.arc, record_.state, i, half_step,
-                                    record_.path_to_come, params_.step);
+                                    share_to_come(i) * record_.path_to_come, params_.step);
     executor_.command(record_.footsteps[i], record_.state);
     if (lifts && neighbour_off_ground(i)) record_.rule1_violations.insert(i);
   }
   record_.base_auto = base_auto(*model_, record_.arc, executor_, record_.deviation, params_.step);
   executor_.command(record_.base_auto);
+}
+
+// The legs of a wave land one after the other. When this one does, the base will have made as much
+// of its way as this leg's time left is of that of the leg that lands last.
+double Walker::share_to_come(LegId leg) const noexcept {
+  if (params_.stepper.stepping != gait_state::Stepping::wave) return 1.0;
+  const double last_lift = *std::max_element(stepper_.lifted_at.begin(), stepper_.lifted_at.end());
+  const double last_left = last_lift + stepper_.longest_step() - time();
+  const double left = last_left - (last_lift - stepper_.lifted_at[leg]);
+  return left > 0.0 ? left / last_left : 0.0;
 }
 
 bool Walker::neighbour_off_ground(LegId leg) const noexcept {

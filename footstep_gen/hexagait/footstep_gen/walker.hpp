@@ -64,6 +64,10 @@ class Walker {
   void command() noexcept;
   void execute() noexcept;
   void stop(Fault fault) noexcept;
+  [[nodiscard]] double time() const noexcept {
+    return static_cast<double>(ticks_) * params_.control_dt;
+  }
+  [[nodiscard]] double share_to_come(LegId leg) const noexcept;
   [[nodiscard]] bool neighbour_off_ground(LegId leg) const noexcept;
 
   const RobotModel* model_;

@@ -71,6 +71,48 @@ TEST(Physics, NeverLiftsANeighbourOfALegInTheAirOnRoughGround) {
   EXPECT_EQ(s.rule1_violations, 0);
 }
 
+// (gait 5) in physics: period 4 T = 3.5 s, so that six legs lift 6/3.5 times a second; a foot
+// sweeps 0.20 m while its leg stands, 3 T = 2.6 s: 0.077 m/s.
+TEST(Physics, WalksAWaveGaitWithThreeQuartersOfTheLegsOnTheGround) {
+  WalkerParams params;
+  params.stepper = {.stepping = gait_state::Stepping::wave, .duty_factor = 0.75};
+  const Summary s = walk_for(14.0, Heading::straight(0.0), "flat", params);
+  EXPECT_TRUE(s.ok());
+  EXPECT_NEAR(s.steps, 14.0 * 6.0 / 3.5, 4.0);
+  EXPECT_NEAR(s.speed, 0.077, 0.015);
+  EXPECT_LT(s.lateral_mean, 0.005);
+  EXPECT_LT(s.slip_p95, 0.0003);
+  EXPECT_EQ(s.contact_losses, 0);
+  EXPECT_EQ(s.rule1_violations, 0);
+  EXPECT_EQ(s.neighbour_flight, 0.0);
+}
+
+TEST(Physics, WalksTheWaitingTripodOverBoxes) {
+  WalkerParams params;
+  params.stepper.stepping = gait_state::Stepping::tripod;
+  const Summary s = walk_for(8.0, Heading::straight(0.0), "boxes:0.10", params);
+  EXPECT_TRUE(s.ok());
+  EXPECT_GT(s.distance, 8.0 * 0.12);
+  EXPECT_EQ(s.rule1_violations, 0);
+  EXPECT_EQ(s.steps % 3, 0);
+}
+
+// The same bits, from a start that the adjustment would have mended.
+TEST(Physics, ThePapersWordsTakenLiterallyWalkAsWithoutAdjustment) {
+  const auto hash = [](gait_state::Adjustment adjustment) {
+    WalkerParams params;
+    params.gait.adjustment = adjustment;
+    sim3d::World world(argos(), {}, {}, random_posture(argos(), 0.15, 1));
+    Walker walker(argos(), params);
+    TrialOptions options;
+    options.schedule = {{0.0, Heading::straight(0.0)}};
+    options.seconds = 6.0;
+    return run_trial(walker, world, world.truth(), options).state_hash;
+  };
+  EXPECT_EQ(hash(gait_state::Adjustment::literal), hash(gait_state::Adjustment::none));
+  EXPECT_NE(hash(gait_state::Adjustment::latched), hash(gait_state::Adjustment::none));
+}
+
 // A plant that loses a joint's reading after a second.
 class NumbPlant : public Plant {
  public:

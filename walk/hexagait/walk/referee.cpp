@@ -68,6 +68,7 @@ void Referee::follow_path(const TickRecord& record, const GroundTruth& truth) {
     heading_ = record.heading;
     path_.follow(heading_);
     progress_seen_ = 0.0;
+    turned_before_ = turned_;
   }
   deviation_ = path_.deviation(in_plane(truth.X_WB));
   const double lateral = std::abs(deviation_.lateral);
@@ -130,7 +131,7 @@ void Referee::watch_rule1(const TickRecord& record, const GroundTruth& truth) {
 
 void Referee::watch_progress(const TickRecord& record) {
   const bool spins = record.heading.rho() == 0.0;
-  const double progress = spins ? std::abs(deviation_.turned) : deviation_.progress;
+  const double progress = spins ? std::abs(turned_ - turned_before_) : deviation_.progress;
   idle_ = record.heading.moving() ? idle_ + dt_ : 0.0;
   if (progress > progress_seen_ + kStuckProgress) {
     progress_seen_ = progress;

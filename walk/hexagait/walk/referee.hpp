@@ -61,7 +61,7 @@ class Referee {
   LegArray<double> lift_time_;
   std::vector<TimedLift> lifts_;
   double idle_ = 0.0, progress_seen_ = 0.0;
-  double turned_ = 0.0, yaw_before_ = 0.0;
+  double turned_ = 0.0, turned_before_ = 0.0, yaw_before_ = 0.0;
   Summary summary_;
   Pose odometry_, truth_;
 };

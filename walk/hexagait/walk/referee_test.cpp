@@ -318,6 +318,17 @@ TEST(Referee, DoesNotCallProgressOrATurnOrARestStuck) {
   EXPECT_FALSE(resting.referee.stuck());
 }
 
+// Two and a half times round, 0.2 rad/s for 80 s: half a turn is no limit to progress.
+TEST(Referee, DoesNotCallATurnOfSeveralLapsStuck) {
+  HandMadeWalk turning;
+  turning.record.heading = Heading::spin(Turn::ccw);
+  for (int k = 0; k < 40000; ++k) {
+    turning.truth.X_WB.R = rotation_z(0.2 * kDt * k);
+    turning.tick();
+  }
+  EXPECT_FALSE(turning.referee.stuck());
+}
+
 // Rocking by 4 cm is no progress.
 TEST(Referee, CallsARobotThatOnlyRocksStuck) {
   HandMadeWalk rocking;

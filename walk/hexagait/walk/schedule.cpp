@@ -83,7 +83,8 @@ TimedCommand read_command(const YAML::Node& node, const Heading& before) {
     if (std::find(std::begin(kKeys), std::end(kKeys), key) == std::end(kKeys))
       throw InvalidInput(
           fmt::format("unknown key '{}'; there are at, radius, crab, spin, stop and "
-                      "duty_factor", key));
+                      "duty_factor",
+                      key));
     kinds += key == "spin" || key == "stop" || key == "radius";
     headings += key != "at" && key != "duty_factor";
   }
@@ -124,8 +125,7 @@ Schedule load_schedule(const std::string& path) {
   Findings findings(path);
   for (const YAML::Node& node : root) {
     try {
-      const Heading before =
-          schedule.empty() ? Heading::straight(0.0) : schedule.back().heading;
+      const Heading before = schedule.empty() ? Heading::straight(0.0) : schedule.back().heading;
       schedule.push_back(read_command(node, before));
       if (schedule.size() > 1 && schedule.back().time <= schedule[schedule.size() - 2].time)
         throw InvalidInput(

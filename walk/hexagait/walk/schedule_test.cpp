@@ -62,6 +62,34 @@ TEST(Schedule, ReadsEveryKindOfCommand) {
   EXPECT_EQ(schedule[4].heading, Heading::stop());
 }
 
+// β belongs to a command of any kind, holds until another is given, and alone keeps the heading:
+// straight on if there was none.
+TEST(Schedule, ReadsDutyFactorsWithAndWithoutAHeading) {
+  const ScheduleFile file(
+      "- {at: 0, duty_factor: 0.5}\n"
+      "- {at: 1, radius: -1.5, duty_factor: 0.75}\n"
+      "- {at: 2, duty_factor: 0.6}\n"
+      "- {at: 3, spin: cw}\n"
+      "- {at: 4, stop: true, duty_factor: 0.8}\n");
+  const Schedule schedule = load_schedule(file.path());
+  ASSERT_EQ(schedule.size(), 5U);
+  EXPECT_EQ(schedule[0].heading, Heading::straight(0.0));
+  EXPECT_EQ(schedule[0].duty_factor, 0.5);
+  EXPECT_EQ(schedule[1].heading, Heading::arc(-1.5, 0.0));
+  EXPECT_EQ(schedule[1].duty_factor, 0.75);
+  EXPECT_EQ(schedule[2].heading, Heading::arc(-1.5, 0.0));
+  EXPECT_EQ(schedule[2].duty_factor, 0.6);
+  EXPECT_EQ(schedule[3].heading, Heading::spin(Turn::cw));
+  EXPECT_FALSE(schedule[3].duty_factor);
+  EXPECT_EQ(schedule[4].heading, Heading::stop());
+}
+
+TEST(Schedule, RefusesDutyFactorsThatNoWaveGaitHas) {
+  for (const char* value : {"0.49", "1", "-0.7", "nan", "most", "''", "[0.6]"})
+    EXPECT_THAT(refusal(std::string("- {at: 0}\n- {at: 1, duty_factor: ") + value + "}\n"),
+                AllOf(HasSubstr(":2: "), HasSubstr("duty_factor is"), HasSubstr("at least 0.5")));
+}
+
 TEST(Schedule, RefusesEveryMistakeWithItsLineAndWhatWouldBeRight) {
   EXPECT_THAT(refusal("- {at: 0}\n- {at: 1, spin: left}\n"),
               AllOf(HasSubstr(":2: "), HasSubstr("'left'"), HasSubstr("'ccw' or 'cw'")));

@@ -34,6 +34,26 @@ Summary walk_for(const TrialOptions& options, std::uint64_t seed, const Observer
   return run_trial(walker, world, world.truth(), options, observer);
 }
 
+// From the tick of its command on, until another is given.
+TEST(Trial, TurnsTheDutyFactorWhenTheScheduleSaysSo) {
+  TrialOptions options = arc_for(0.5);
+  options.schedule = {{0.0, Heading::straight(0.0)},
+                      {0.1, Heading::straight(0.0), 0.75},
+                      {0.2, Heading::straight(0.1)},
+                      {0.3, Heading::straight(0.1), 0.6}};
+  sim3d::World world(argos(), {}, {}, nominal_posture(argos()));
+  Walker walker(argos());
+  std::vector<double> seen;
+  const auto observe = [&](const auto&, const auto&, const auto&) {
+    const gait_state::StepperParams& now = walker.params().stepper;
+    seen.push_back(now.stepping == gait_state::Stepping::wave ? now.duty_factor : 0.0);
+  };
+  (void)run_trial(walker, world, world.truth(), options, observe);
+  ASSERT_EQ(seen.size(), 250U);
+  for (std::size_t k = 0; k < seen.size(); ++k)
+    EXPECT_EQ(seen[k], k < 50 ? 0.0 : k < 150 ? 0.75 : 0.6) << k;
+}
+
 TEST(Trial, HasTheSameBitsTwiceInOneProcess) {
   const Summary a = walk_for(arc_for(3.0), 1), b = walk_for(arc_for(3.0), 1);
   EXPECT_EQ(a.state_hash, b.state_hash);
