@@ -94,9 +94,9 @@ double posture_spread(const std::string& text, const RobotModel& robot) {
   return number("--random-posture", text, {0.0, radius, words.c_str()});
 }
 
-// Default: the smallest number of physics steps that makes 2 ms or more.
-double control_period(const std::string& text, double physics_dt) {
-  if (text.empty()) return physics_dt * std::ceil(0.002 / physics_dt - 1e-9);
+// Default: the smallest number of physics steps that makes so much or more.
+double control_period(const std::string& text, double physics_dt, double usual = 0.002) {
+  if (text.empty()) return physics_dt * std::ceil(usual / physics_dt - 1e-9);
   const double period = number("--control-period", text, kStep);
   const double steps = std::round(period / physics_dt);
   if (steps < 1.0 || std::abs(period - steps * physics_dt) > 1e-9 * period)
@@ -107,7 +107,53 @@ double control_period(const std::string& text, double physics_dt) {
   return period;
 }
 
+// A side view knows neither curves nor turns, and its walker needs its sensors.
+void refuse_in_side_view(const WalkArguments& a) {
+  const auto refuse = [](bool given, const char* option, const char* why) {
+    if (given)
+      throw InvalidInput(
+          fmt::format("{} makes no sense with --robot {}: {}", option, kGenghis, why));
+  };
+  constexpr const char* kStraight = "a side view only walks straight on";
+  refuse(!a.radius.empty(), "--radius", kStraight);
+  refuse(!a.spin.empty(), "--spin", kStraight);
+  refuse(!a.commands.empty(), "--commands", kStraight);
+  refuse(!a.random_commands.empty(), "--random-commands", kStraight);
+  refuse(a.no_contacts, "--no-contacts", "it feels the ground by its motors");
+  refuse(a.no_joint_feedback, "--no-joint-feedback", "it feels the ground by its motors");
+}
+
+bool walks_backward(const std::string& crab) {
+  if (crab.empty()) return false;
+  const double angle = option_value("--crab", crab, walk::parse_angle);
+  const bool forward = std::abs(wrap_angle(angle)) < 1e-9;
+  const bool backward = std::abs(wrap_angle(angle - std::numbers::pi)) < 1e-9;
+  if (forward || backward) return backward;
+  throw InvalidInput(fmt::format("--crab is '{}'; in a side view it must be 0 or 180deg", crab));
+}
+
 }  // namespace
+
+sim2d::GenghisTrial genghis_trial(const WalkArguments& arguments) {
+  refuse_in_side_view(arguments);
+  sim2d::GenghisTrial trial;
+  trial.terrain = sim2d::parse_terrain2d(arguments.terrain);
+  trial.gait = gait(arguments);
+  trial.seed = seed(arguments.seed);
+  trial.backward = walks_backward(arguments.crab);
+  trial.seconds = number("--seconds", arguments.seconds, kSeconds);
+  if (!arguments.distance.empty())
+    trial.distance = number("--distance", arguments.distance, kDistance);
+  if (!arguments.random_posture.empty()) {
+    constexpr Range kSpread = {0.0, 0.05, "a length from 0 to 0.05 m, half the robot's stride"};
+    trial.random_posture = number("--random-posture", arguments.random_posture, kSpread);
+  }
+  constexpr Range kStep2d = {1e-5, 0.005, "a time of 10 µs to 5 ms, in seconds"};
+  if (!arguments.physics_step.empty())
+    trial.physics_dt = number("--physics-step", arguments.physics_step, kStep2d);
+  trial.control_dt = control_period(arguments.control_period, trial.physics_dt, 0.005);
+  return trial;
+}
 
 experiments::Simulation simulation(const WalkArguments& arguments, const RobotModel& robot) {
   experiments::Simulation result;

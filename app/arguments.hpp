@@ -3,6 +3,7 @@
 #pragma once
 
 #include <hexagait/experiments/simulation.hpp>
+#include <hexagait/sim2d/genghis.hpp>
 #include <string>
 
 namespace hexagait::app {
@@ -24,6 +25,13 @@ struct WalkArguments {
 /// @throws InvalidInput  naming the first option that is wrong, its value, and what would be right
 [[nodiscard]] experiments::Simulation simulation(const WalkArguments& arguments,
                                                  const RobotModel& robot);
+
+/// The robot of the side view, which has no file.
+inline constexpr const char* kGenghis = "genghis2d";
+
+/// What was typed, as a walk of Genghis in the side view.
+/// @throws InvalidInput  naming the first option that is wrong or makes no sense there
+[[nodiscard]] sim2d::GenghisTrial genghis_trial(const WalkArguments& arguments);
 
 /// The file of a robot: a path to a URDF, or the name of a robot that comes with hexagait.
 /// @throws InvalidInput  if there is none, with the names that there are

@@ -17,6 +17,9 @@ inline constexpr int kInterrupted = 130;  ///< by Ctrl-C
 /// `hexagait walk`. @throws InvalidInput
 int walk_command(const WalkArguments& arguments);
 
+/// The same for the side view of Genghis. @throws InvalidInput
+int genghis_command(const WalkArguments& arguments);
+
 /// `hexagait experiment` as it was typed.
 struct ExperimentArguments {
   std::string name = "all";

@@ -16,6 +16,9 @@ int robot_command(const std::string& robot, bool json) {
 int terrains_command() {
   for (const sim3d::TerrainDescription& terrain : sim3d::known_terrains())
     fmt::print("{:<10} {}\n", terrain.syntax, terrain.meaning);
+  fmt::print("\nIn the side view (--robot {}):\n", kGenghis);
+  for (const sim2d::TerrainDescription2d& terrain : sim2d::known_terrains2d())
+    fmt::print("{:<10} {}\n", terrain.syntax, terrain.meaning);
   return kOk;
 }
 

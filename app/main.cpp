@@ -18,6 +18,8 @@ Examples:
   hexagait walk --spin cw --seconds 10              on the spot, to the right
   hexagait walk --crab 45deg --distance 2 --json    diagonally, as one JSON object
   hexagait walk --duty-factor 0.75                  a tetrapod wave gait
+  hexagait walk --robot genghis2d --terrain step:10cm --plot genghis.png
+                                                    Genghis II from the side
   hexagait walk --random-commands 5 --plot walk.svg --trace walk.csv
 
 Exit status: 0 walked to the end; 1 fell, stuck or fault; 2 bad usage or input; 130 Ctrl-C.)";

@@ -41,8 +41,8 @@ std::string robot_file(const std::string& robot) {
     throw InvalidInput(fmt::format("--robot is '{}', which is not a file", robot));
   throw InvalidInput(
       fmt::format("--robot is '{}', which does not exist; give the path of a URDF file, or one of "
-                  "the robots that come with hexagait: {}",
-                  robot, known_robots()));
+                  "the robots that come with hexagait: {}; {} walks in a side view, without a file",
+                  robot, known_robots(), kGenghis));
 }
 
 }  // namespace hexagait::app

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <hexagait/experiments/gnuplot.hpp>
 #include <hexagait/experiments/trace.hpp>
 #include <hexagait/experiments/walk_figure.hpp>
-#include <optional>
 
 #include "commands.hpp"
 #include "interrupt.hpp"
+#include "output_file.hpp"
 #include "progress.hpp"
 #include "words.hpp"
 
@@ -18,36 +17,13 @@ namespace {
 
 using experiments::WalkReport;
 
-// A file that an option names, and those that are written with it.
-struct Output {
-  std::filesystem::path path;
-  experiments::StagedFiles files;
-};
-
-// Nothing without the option; refuses a wrong suffix, or a directory that can't be written.
-std::optional<Output> output(const char* option, const std::string& name,
-                             const std::vector<std::string>& suffixes) {
-  if (name.empty()) return {};
-  const std::filesystem::path path(name);
-  if (std::ranges::find(suffixes, path.extension().string()) == suffixes.end())
-    throw InvalidInput(fmt::format("{} is '{}'; it must be a file that ends in {}", option, name,
-                                   fmt::join(suffixes, ", ")));
-  try {
-    Output result{path, experiments::StagedFiles(path.parent_path())};
-    result.files.expect(path.filename());
-    return result;
-  } catch (const InvalidInput& error) {
-    throw InvalidInput(fmt::format("{} is '{}': {}", option, name, error.what()));
-  }
-}
-
 // What is written of a walk beside its summary.
 class Writer {
  public:
   Writer(const WalkArguments& arguments, const WalkReport& report, const RobotModel& robot)
       : robot_(robot),
-        plot_(output("--plot", arguments.plot, {".png", ".svg", ".pdf"})),
-        trace_(output("--trace", arguments.trace, {".csv"})),
+        plot_(output_file("--plot", arguments.plot, {".png", ".svg", ".pdf"})),
+        trace_(output_file("--trace", arguments.trace, {".csv"})),
         recording_({report.simulation.terrain, report.simulation.seed}) {
     if (plot_) experiments::require_gnuplot();
     if (!trace_) return;
@@ -75,7 +51,7 @@ class Writer {
 
  private:
   const RobotModel& robot_;
-  std::optional<Output> plot_, trace_;
+  std::optional<OutputFile> plot_, trace_;
   experiments::Recording recording_;
   std::ofstream rows_;
 };
@@ -83,6 +59,7 @@ class Writer {
 }  // namespace
 
 int walk_command(const WalkArguments& arguments) {
+  if (arguments.robot == kGenghis) return genghis_command(arguments);
   const RobotModel robot = load_urdf(robot_file(arguments.robot));
   WalkReport report;
   report.robot = robot.name;

@@ -22,11 +22,6 @@ double slewed(double value, double goal, double most) {
   return value + std::clamp(goal - value, -most, most);
 }
 
-// Feet that stand, and those that rise or descend straight over their spot.
-bool moves_with_ground(LegPhase phase) {
-  return phase != LegPhase::advance && phase != LegPhase::retreat;
-}
-
 // The line through the footprints relative to the workspace centres.
 struct Line {
   double height = 0.0, slope = 0.0;
@@ -115,7 +110,7 @@ void GenghisController::adapt() noexcept {
   for (LegId i = 0; i < kGenghisLegs; ++i) {
     const bool stands = standing.contains(i);
     sum += ahead(i);
-    moved += moves_with_ground(record_.legs[i].phase) ? 1.0 : 0.0;
+    moved += moves_with_ground(i) ? 1.0 : 0.0;
     sum_to_come += stands ? ahead(i) : params_.half_stroke;
     if (stands) room = std::min(room, params_.usable_share * reach_behind(i) + ahead(i));
   }
@@ -196,6 +191,14 @@ double GenghisController::ahead(LegId leg) const noexcept {
   return sense_of_motion_ * (record_.legs[leg].p.x() - centre(model_, leg).x());
 }
 
+// Feet that stand, and those that rise or descend straight over their spot. A descending foot does
+// so until it would come down behind its AEP.
+bool GenghisController::moves_with_ground(LegId leg) const noexcept {
+  const GenghisLeg& l = record_.legs[leg];
+  if (l.phase == LegPhase::descend) return ahead(leg) > params_.half_stroke - l.shortened;
+  return l.phase == LegPhase::support || l.phase == LegPhase::raise;
+}
+
 // How far behind its centre a foot may be: by its workspace, and at this height by its leg.
 double GenghisController::reach_behind(LegId leg) const noexcept {
   const double z = record_.legs[leg].p.y(), l = model_.leg_length;
@@ -253,7 +256,7 @@ Vector2 GenghisController::swing_velocity(LegId i) noexcept {
     }
     default:
       if (leg.p.y() < floor + kArrived) search(leg, floor);
-      return ground - Vector2(0.0, params_.descent_speed);
+      return {moves_with_ground(i) ? ground.x() : 0.0, ground.y() - params_.descent_speed};
   }
 }
 

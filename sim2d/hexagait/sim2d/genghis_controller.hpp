@@ -116,6 +116,7 @@ class GenghisController {
 
   [[nodiscard]] LegSet support() const noexcept;
   [[nodiscard]] double ahead(LegId leg) const noexcept;
+  [[nodiscard]] bool moves_with_ground(LegId leg) const noexcept;
   [[nodiscard]] double reach_behind(LegId leg) const noexcept;
   [[nodiscard]] Vector2 ground_velocity(const Vector2& p) const noexcept;
   [[nodiscard]] bool within_reach() const noexcept;

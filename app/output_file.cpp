@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <hexagait/core/robot_model.hpp>
+
+namespace hexagait::app {
+
+std::optional<OutputFile> output_file(const char* option, const std::string& name,
+                                      const std::vector<std::string>& suffixes) {
+  if (name.empty()) return {};
+  const std::filesystem::path path(name);
+  if (std::ranges::find(suffixes, path.extension().string()) == suffixes.end())
+    throw InvalidInput(fmt::format("{} is '{}'; it must be a file that ends in {}", option, name,
+                                   fmt::join(suffixes, ", ")));
+  try {
+    OutputFile result{path, experiments::StagedFiles(path.parent_path())};
+    result.files.expect(path.filename());
+    return result;
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(fmt::format("{} is '{}': {}", option, name, error.what()));
+  }
+}
+
+}  // namespace hexagait::app
