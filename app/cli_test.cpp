@@ -171,7 +171,8 @@ TEST_F(Cli, HelpsWithExamples) {
   }
   EXPECT_THAT(run("--version").out, HasSubstr("hexagait 0."));
   EXPECT_THAT(run("terrains").out, AllOf(HasSubstr("flat"), HasSubstr("boxes:H")));
-  EXPECT_THAT(run("experiment --list").out, AllOf(HasSubstr("fig9"), HasSubstr("fig10")));
+  EXPECT_THAT(run("experiment --list").out, AllOf(HasSubstr("table1"), HasSubstr("fig7b"),
+                                                  HasSubstr("fig9"), HasSubstr("fig10")));
 }
 
 TEST_F(Cli, PrintsOneJsonObjectWithEveryResult) {
@@ -289,6 +290,29 @@ TEST_F(Cli, DrawsAFigureAndKeepsWhatItIsMadeOf) {
        {"it's.svg", "it's.gp", "it's-body.csv", "it's-steps.csv", "it's-gait.csv"})
     EXPECT_GT(fs::file_size(here() / name), 50U) << name;
   EXPECT_THAT(content(here() / "it's.svg"), HasSubstr("Path from above"));
+}
+
+// The claims of figure 7-A hold, but for one that is known not to: that fails no run.
+TEST_F(Cli, MakesAFigureAndSaysWhichClaimsHoldAndWhyOneDoesNot) {
+  const Result result = run("experiment fig7a --out results --quiet");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(result.out,
+              AllOf(HasSubstr("holds"), HasSubstr("DOES NOT HOLD"), HasSubstr("known: ")));
+  for (const char* name : {"fig7a.svg", "fig7a.pdf", "fig7a.png", "fig7a.gp", "fig7a.csv"})
+    EXPECT_GT(fs::file_size(here() / "results/fig7a" / name), 100U) << name;
+  const auto manifest = nlohmann::json::parse(content(here() / "results/fig7a/manifest.json"));
+  EXPECT_EQ(manifest["configuration"]["terrain"], "flat");
+  EXPECT_EQ(manifest["verdicts"][0]["holds"], true);
+  EXPECT_EQ(manifest["verdicts"][3]["holds"], false);
+  EXPECT_FALSE(manifest["verdicts"][3]["why_not"].get<std::string>().empty());
+  EXPECT_FALSE(manifest.contains("results")) << "it is no walk";
+}
+
+TEST_F(Cli, MakesTheSameFigureInEveryProcess) {
+  run("experiment fig6 --out a --quiet");
+  run("experiment fig6 --out b --quiet");
+  for (const char* name : {"fig6.svg", "fig6.csv", "fig6.gp"})
+    EXPECT_EQ(content(here() / "a/fig6" / name), content(here() / "b/fig6" / name)) << name;
 }
 
 // Interrupted, it tells how far it got, and its trace is whole.

@@ -27,7 +27,7 @@ struct ExperimentArguments {
   bool list = false, json = false, quiet = false;
 };
 
-/// `hexagait experiment`: 0 if all claims hold. @throws InvalidInput
+/// `hexagait experiment`: 0 if all claims hold, or are known not to. @throws InvalidInput
 int experiment_command(const ExperimentArguments& arguments);
 
 /// `hexagait robot FILE`. @throws InvalidInput

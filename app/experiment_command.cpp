@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <hexagait/experiments/experiment.hpp>
 #include <hexagait/experiments/gnuplot.hpp>
+#include <hexagait/experiments/page.hpp>
 
 #include "commands.hpp"
 #include "interrupt.hpp"
@@ -34,9 +35,12 @@ std::vector<Experiment> chosen(const std::string& name) {
 
 void print(const Manifest& manifest, const std::filesystem::path& out) {
   fmt::print("{}\n", manifest.title);
-  for (const experiments::Verdict& verdict : manifest.outcome.verdicts)
+  for (const experiments::Verdict& verdict : manifest.outcome.verdicts) {
     fmt::print("  {:<14} {}: {}\n", verdict.holds ? "holds" : "DOES NOT HOLD", verdict.claim,
                verdict.numbers);
+    if (!verdict.holds && !verdict.why_not.empty())
+      fmt::print("  {:<14} known: {}\n", "", verdict.why_not);
+  }
   fmt::print("  written to     {}\n\n", (out / manifest.experiment).string());
 }
 
@@ -60,14 +64,16 @@ int experiment_command(const ExperimentArguments& arguments) {
     if (interrupted) return kInterrupted;
   }
 
-  bool all_hold = true;
+  if (arguments.name == "all") experiments::write_page(manifests, arguments.out);
+
+  bool well = true;
   for (const Manifest& manifest : manifests) {
-    all_hold =
-        all_hold && std::ranges::all_of(manifest.outcome.verdicts, &experiments::Verdict::holds);
+    well = well &&
+           std::ranges::all_of(manifest.outcome.verdicts, &experiments::Verdict::is_accounted_for);
     if (!arguments.json) print(manifest, arguments.out);
   }
   if (arguments.json) fmt::print("{}\n", to_json(manifests));
-  return all_hold ? kOk : kFailed;
+  return well ? kOk : kFailed;
 }
 
 }  // namespace hexagait::app

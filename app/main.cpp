@@ -83,7 +83,8 @@ void add_experiment(CLI::App& app, ExperimentArguments& a) {
       app.add_subcommand("experiment", "Make a figure of a paper again, and test its claims");
   experiment->footer(
       "\nExamples:\n  hexagait experiment --list\n  hexagait experiment fig9 --out results\n\n"
-      "Exit status: 0 all claims hold; 1 one does not; 2 bad usage or input; 130 Ctrl-C.");
+      "Exit status: 0 every claim holds, or it is known and said why not; 1 one does not hold;\n"
+      "2 bad usage or input; 130 Ctrl-C. `all` also writes index.html, a page that shows them.");
   experiment->add_option("name", a.name, "Which: see --list")
       ->type_name("NAME|all")
       ->capture_default_str();

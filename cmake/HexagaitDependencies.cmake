@@ -13,6 +13,7 @@ if(HEXAGAIT_TESTS)
   pkg_check_modules(orocos_kdl REQUIRED IMPORTED_TARGET orocos-kdl)  # an oracle of kinematics
 endif()
 if(HEXAGAIT_TOOLS)
+  find_package(Boost REQUIRED)  # headers only: statistics
   find_package(CLI11 REQUIRED)
   find_package(nlohmann_json REQUIRED)
 endif()

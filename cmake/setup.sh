@@ -8,7 +8,7 @@ kBuildPackages=(
   build-essential cmake ninja-build ccache pkg-config
   libbox2d-dev libeigen3-dev libfmt-dev libode-dev librandom123-dev liburdfdom-dev
   libyaml-cpp-dev                                               # the library
-  libcli11-dev nlohmann-json3-dev gnuplot-nox                   # the hexagait command
+  libboost-math-dev libcli11-dev nlohmann-json3-dev gnuplot-nox  # the hexagait command
   libbenchmark-dev libgmock-dev libgtest-dev liborocos-kdl-dev  # benchmarks and tests
 )
 kCheckPackages=(clang clang-format clang-tidy universal-ctags)

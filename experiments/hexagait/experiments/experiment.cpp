@@ -11,6 +11,13 @@ namespace fs = std::filesystem;
 
 const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> all = {
+      {"table1", "[PC04] Table 1: the gait states by circularity number and type", table1},
+      {"table2", "[PC04] Table 2: how the tripod gait comes about", table2},
+      {"fig3", "[PC04] Fig. 3: wave gaits, and the types of their gait states", fig3},
+      {"fig4", "[PC04] Fig. 4: transitions between the gait states with CCN = 3", fig4},
+      {"fig6", "[PC04] Fig. 6: the first steps, of three gait generators", fig6},
+      {"fig7a", "[PC04] Fig. 7-A: mean speed on flat ground", fig7a},
+      {"fig7b", "[PC04] Fig. 7-B: mean speed on rough ground", fig7b},
       {"fig9", "[PC04] Fig. 9: straight lines, a turn in place and a curve, on flat ground", fig9},
       {"fig10", "[PC04] Fig. 10: a turn to the left on abrupt terrain", fig10},
       {"wave_family",

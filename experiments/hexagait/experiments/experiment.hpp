@@ -17,7 +17,7 @@ struct ExperimentContext {
   const std::atomic<bool>* stop = nullptr;     ///< once true, the experiment ends early
 };
 
-/// A figure or a claim of a paper, made again: walks, draws, and says whether the claim holds.
+/// A figure or a claim of a paper, made again: runs, draws, and says whether the claim holds.
 struct Experiment {
   std::string name;   ///< of the command, and of the files' stem
   std::string title;  ///< one line
@@ -33,6 +33,13 @@ struct Experiment {
 [[nodiscard]] Manifest run(const Experiment& experiment, const ExperimentContext& context,
                            const std::filesystem::path& out);
 
+Outcome table1(const ExperimentContext& context, StagedFiles& files);
+Outcome table2(const ExperimentContext& context, StagedFiles& files);
+Outcome fig3(const ExperimentContext& context, StagedFiles& files);
+Outcome fig4(const ExperimentContext& context, StagedFiles& files);
+Outcome fig6(const ExperimentContext& context, StagedFiles& files);
+Outcome fig7a(const ExperimentContext& context, StagedFiles& files);
+Outcome fig7b(const ExperimentContext& context, StagedFiles& files);
 Outcome fig9(const ExperimentContext& context, StagedFiles& files);
 Outcome fig10(const ExperimentContext& context, StagedFiles& files);
 Outcome wave_family(const ExperimentContext& context, StagedFiles& files);

@@ -64,7 +64,7 @@ Outcome fig10(const ExperimentContext& context, StagedFiles& files) {
        .times = {0.0, 0.25 * end, 0.5 * end, 0.75 * end, end},
        .terrain = &terrain},
       recording, *context.robot);
-  return {.walk = {context.robot->name, simulation, summary}, .verdicts = judge(summary)};
+  return {.walk = WalkReport{context.robot->name, simulation, summary}, .verdicts = judge(summary)};
 }
 
 }  // namespace hexagait::experiments

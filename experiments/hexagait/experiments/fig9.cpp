@@ -78,7 +78,7 @@ Outcome fig9(const ExperimentContext& context, StagedFiles& files) {
                                           1e3 * summary.lateral_mean),
                   .times = {0.0, 6.0, 15.5, 21.5, 27.0, 34.0, 42.0, 55.0}},
                  recording, *context.robot);
-  return {.walk = {context.robot->name, simulation, summary},
+  return {.walk = WalkReport{context.robot->name, simulation, summary},
           .verdicts = judge(summary, longest_pause(recording))};
 }
 

@@ -84,6 +84,13 @@ void run_gnuplot(const fs::path& directory, const std::string& script, const std
   throw std::runtime_error(fmt::format("gnuplot could not draw {}:\n{}", figure, said));
 }
 
+void draw_figure(StagedFiles& files, const std::string& stem) {
+  for (const char* suffix : {".svg", ".pdf", ".png"}) {
+    files.expect(stem + suffix);
+    run_gnuplot(files.staging(), stem + ".gp", stem + suffix);
+  }
+}
+
 std::string quoted(const std::string& text) {
   std::string result = "'";
   for (const char letter : text) result.append(letter == '\'' ? 2 : 1, letter);

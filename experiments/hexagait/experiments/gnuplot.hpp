@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <hexagait/experiments/staged_files.hpp>
 #include <string>
 
 namespace hexagait::experiments {
@@ -14,6 +15,9 @@ void require_gnuplot();
 /// @throws std::runtime_error  with what gnuplot said, if it fails
 void run_gnuplot(const std::filesystem::path& directory, const std::string& script,
                  const std::string& figure);
+
+/// Draws STEM.svg, STEM.pdf and STEM.png by the staged script STEM.gp.
+void draw_figure(StagedFiles& files, const std::string& stem);
 
 /// A text as a gnuplot string, in single quotes.
 [[nodiscard]] std::string quoted(const std::string& text);

@@ -113,10 +113,18 @@ Json leg_json(const LegModel& leg) {
 
 Json verdicts_json(const std::vector<Verdict>& verdicts) {
   Json list = Json::array();
-  for (const Verdict& verdict : verdicts)
+  for (const Verdict& verdict : verdicts) {
     list.push_back(
         {{"claim", verdict.claim}, {"holds", verdict.holds}, {"numbers", verdict.numbers}});
+    if (!verdict.why_not.empty()) list.back()["why_not"] = verdict.why_not;
+  }
   return list;
+}
+
+Json settings_json(const Outcome& outcome) {
+  Json json = Json::object();
+  for (const auto& [name, value] : outcome.settings) json[name] = value;
+  return json;
 }
 
 }  // namespace
@@ -146,17 +154,19 @@ std::string to_json(const Manifest& manifest) {
   Json outputs = Json::object();
   for (const Manifest::Output& output : manifest.outputs)
     outputs[output.name] = {{"fnv1a", hex(output.hash)}};
-  return Json{{"experiment", manifest.experiment},
-              {"title", manifest.title},
-              {"version", kVersion},
-              {"revision", kRevision},
-              {"compiler", kCompiler},
-              {"configuration", configuration(manifest.outcome.walk)},
-              {"verdicts", verdicts_json(manifest.outcome.verdicts)},
-              {"results", results(manifest.outcome.walk.summary)},
-              {"outputs", outputs},
-              {"timing", timing(manifest.outcome.walk.summary)}}
-      .dump(kIndent);
+  const Outcome& outcome = manifest.outcome;
+  Json json{{"experiment", manifest.experiment},
+            {"title", manifest.title},
+            {"version", kVersion},
+            {"revision", kRevision},
+            {"compiler", kCompiler}};
+  json["configuration"] = outcome.walk ? configuration(*outcome.walk) : settings_json(outcome);
+  json["verdicts"] = verdicts_json(outcome.verdicts);
+  if (outcome.walk) json["results"] = results(outcome.walk->summary);
+  json["outputs"] = outputs;
+  json["timing"] = outcome.walk ? timing(outcome.walk->summary) : Json::object();
+  if (outcome.compute_seconds > 0.0) json["timing"]["compute_s"] = outcome.compute_seconds;
+  return json.dump(kIndent);
 }
 
 std::string to_json(const std::vector<Manifest>& manifests) {

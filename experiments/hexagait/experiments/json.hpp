@@ -4,7 +4,10 @@
 
 #include <hexagait/core/robot_model.hpp>
 #include <hexagait/experiments/simulation.hpp>
+#include <hexagait/experiments/table.hpp>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hexagait::experiments {
@@ -26,15 +29,22 @@ struct WalkReport {
 
 /// A claim of a paper, tested.
 struct Verdict {
-  std::string claim;    ///< what the paper says
-  bool holds = false;   ///< does it, here?
-  std::string numbers;  ///< the measurements that decide it, in words
+  std::string claim;         ///< what the paper says
+  bool holds = false;        ///< does it, here?
+  std::string numbers;       ///< the measurements that decide it, in words
+  std::string why_not = {};  ///< if it is known not to hold: the reason. Such a claim fails no run.
+
+  /// It holds, or it is known why not.
+  [[nodiscard]] bool is_accounted_for() const { return holds || !why_not.empty(); }
 };
 
 /// What an experiment found.
 struct Outcome {
-  WalkReport walk;
-  std::vector<Verdict> verdicts;
+  std::optional<WalkReport> walk = {};  ///< if it is one
+  std::vector<Verdict> verdicts = {};
+  std::vector<std::pair<std::string, std::string>> settings = {};  ///< if it is no walk
+  Table table = {};              ///< its numbers, for the page; may be empty
+  double compute_seconds = 0.0;  ///< time that the runs took, without drawing; 0: not measured
 };
 
 /// Where the files of an experiment come from.

@@ -175,10 +175,7 @@ void draw_snapshots(StagedFiles& files, const SnapshotFigure& figure, const Reco
          << kScript;
   script.close();
 
-  for (const char* suffix : {".svg", ".pdf", ".png"}) {
-    files.expect(figure.stem + suffix);
-    run_gnuplot(files.staging(), figure.stem + ".gp", figure.stem + suffix);
-  }
+  draw_figure(files, figure.stem);
 }
 
 }  // namespace hexagait::experiments

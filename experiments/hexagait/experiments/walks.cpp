@@ -165,7 +165,7 @@ Outcome walks(const ExperimentContext& context, StagedFiles& files) {
   std::ofstream table = files.create("walks.csv");
   write_table(table, walks);
 
-  return {.walk = {context.robot->name, walks.front().simulation, walks.front().summary},
+  return {.walk = WalkReport{context.robot->name, walks.front().simulation, walks.front().summary},
           .verdicts = {judge_headings(walks), judge_postures(walks), judge_commands(walks),
                        judge_terrain(walks, "boxes:0.10"), judge_terrain(walks, "steps:0.10")}};
 }

@@ -32,8 +32,8 @@ namespace hexagait::sim2d {
 inline constexpr double kHalfStroke = 25.0;  // [units]
 
 struct SliceConfig {
-  gait_state::GaitChoice gait;
-  SliceTerrain terrain;
+  gait_state::GaitChoice gait = {};
+  SliceTerrain terrain = {};
   int slices = 500;
   int num_legs = 6;
 };

@@ -118,7 +118,7 @@ TEST(SliceModel, MeasuresSweepsAndStepTimesAsAnObserverWould) {
   });
 }
 
-// The prototype's means of 100 starts (docs/theory.md 9), and ours, are two samples of the same
+// The prototype's means of 100 starts (docs/theory.md 8), and ours, are two samples of the same
 // size: they differ by less than 4 standard deviations of a difference, and half a last digit.
 TEST(SliceModel, AgreesWithTheReferenceFigures) {
   struct Reference {

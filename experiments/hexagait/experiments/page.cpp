@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <hexagait/experiments/page.hpp>
+#include <hexagait/experiments/version.hpp>
+#include <iterator>
+
+namespace hexagait::experiments {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kHead = R"(<!DOCTYPE html>
+<html lang="en">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>hexagait: experiments</title>
+<style>
+  :root { --ink: #1d2b36; --grey: #6c7a86; --pale: #e3e8ec; --accent: #c4472b; --good: #2c7a57; }
+  body { margin: 0 auto; max-width: 1080px; padding: 3rem 1.5rem 5rem; color: var(--ink);
+         font: 17px/1.55 "Source Serif 4", "Iowan Old Style", Palatino, Georgia, serif; }
+  h1 { font-size: 2.1rem; font-weight: 600; margin: 0; letter-spacing: -.01em; }
+  h2 { font-size: 1.35rem; font-weight: 600; margin: 0 0 .9rem; }
+  h2 small { color: var(--grey); font-weight: 400; font-size: .95rem; margin-right: .6rem;
+             font-family: ui-monospace, "DejaVu Sans Mono", monospace; }
+  section { border-top: 1px solid var(--pale); margin-top: 3rem; padding-top: 1.6rem; }
+  a { color: #2f6f9f; text-decoration: none; } a:hover { text-decoration: underline; }
+  .lead, .files, .why { color: var(--grey); } .files { font-size: .85rem; }
+  figure { margin: 1.4rem 0 .6rem; } figure img { width: 100%; height: auto; display: block; }
+  ul.claims { list-style: none; padding: 0; margin: 0; }
+  ul.claims li { display: grid; grid-template-columns: 8.6rem 1fr; gap: .2rem 1rem; padding: .45rem 0; }
+  .verdict { font: 600 .78rem/1.9 system-ui, sans-serif; text-transform: uppercase;
+             letter-spacing: .05em; color: var(--good); }
+  .no .verdict { color: var(--accent); } .known .verdict { color: #9a6b00; }
+  .numbers { grid-column: 2; font-size: .9rem; color: #3d4c58; font-variant-numeric: tabular-nums; }
+  .why { grid-column: 2; font-size: .9rem; font-style: italic; }
+  table { border-collapse: collapse; font: .82rem/1.5 system-ui, sans-serif; margin: 1.2rem 0; width: 100%;
+          font-variant-numeric: tabular-nums; }
+  th { text-align: left; font-weight: 600; border-bottom: 1.5px solid var(--ink); padding: .25rem .6rem .25rem 0; }
+  td { border-bottom: 1px solid var(--pale); padding: .2rem .6rem .2rem 0; }
+  table.overview td:last-child, table.overview th:last-child { text-align: right; }
+  details summary { cursor: pointer; color: var(--grey); font-size: .9rem; }
+</style>
+)";
+
+std::string escaped(const std::string& text) {
+  std::string html;
+  for (const char letter : text) {
+    if (letter == '<')
+      html += "&lt;";
+    else if (letter == '>')
+      html += "&gt;";
+    else if (letter == '&')
+      html += "&amp;";
+    else if (letter == '"')
+      html += "&quot;";
+    else
+      html += letter;
+  }
+  return html;
+}
+
+std::string base64(const std::string& bytes) {
+  constexpr const char* kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t k = 0; k < bytes.size(); k += 3) {
+    std::uint32_t word = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      word = word << 8 | (k + i < bytes.size() ? static_cast<unsigned char>(bytes[k + i]) : 0U);
+    for (std::size_t i = 0; i < 4; ++i)
+      text += k + i <= bytes.size() ? kDigits[word >> (18 - 6 * i) & 63U] : '=';
+  }
+  return text;
+}
+
+std::string content(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string claims_html(const std::vector<Verdict>& verdicts) {
+  std::string html = "<ul class=\"claims\">\n";
+  for (const Verdict& v : verdicts) {
+    const char* const kind = v.holds ? "yes" : v.why_not.empty() ? "no" : "known";
+    html += fmt::format("<li class=\"{}\"><span class=\"verdict\">{}</span><span>{}</span>\n", kind,
+                        v.holds ? "holds" : "does not hold", escaped(v.claim));
+    html += fmt::format("<span class=\"numbers\">{}</span>", escaped(v.numbers));
+    if (!v.holds && !v.why_not.empty())
+      html += fmt::format("\n<span class=\"why\">Known: {}.</span>", escaped(v.why_not));
+    html += "</li>\n";
+  }
+  return html + "</ul>\n";
+}
+
+std::string row_html(const std::vector<std::string>& cells, const char* tag) {
+  std::string html = "<tr>";
+  for (const std::string& cell : cells) html += fmt::format("<{0}>{1}</{0}>", tag, escaped(cell));
+  return html + "</tr>\n";
+}
+
+std::string table_html(const Table& table) {
+  if (table.rows.empty()) return {};
+  std::string html =
+      "<details><summary>Numbers</summary>\n<table>\n" + row_html(table.header, "th");
+  for (const auto& row : table.rows) html += row_html(row, "td");
+  return html + "</table></details>\n";
+}
+
+std::string figures_html(const Manifest& manifest, const fs::path& directory) {
+  std::string html;
+  for (const Manifest::Output& output : manifest.outputs)
+    if (output.name.ends_with(".svg"))
+      html +=
+          fmt::format("<figure><img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\"></figure>\n",
+                      escaped(manifest.title), base64(content(directory / output.name)));
+  return html;
+}
+
+std::string files_html(const Manifest& manifest, const fs::path& directory) {
+  std::string html = "<p class=\"files\">";
+  std::vector<std::string> names;
+  for (const Manifest::Output& output : manifest.outputs) {
+    names.push_back(output.name);
+    const std::string pdf = fs::path(output.name).replace_extension(".pdf").string();
+    if (output.name.ends_with(".svg") && fs::exists(directory / pdf)) names.push_back(pdf);
+  }
+  names.emplace_back("manifest.json");
+  for (const std::string& name : names)
+    html += fmt::format("{}<a href=\"{}/{}\">{}</a>", &name == &names.front() ? "" : " · ",
+                        manifest.experiment, name, name);
+  return html + "</p>\n";
+}
+
+std::string overview_html(const std::vector<Manifest>& manifests) {
+  std::string html =
+      "<table class=\"overview\"><tr><th>experiment</th><th></th><th>claims that hold</th></tr>\n";
+  for (const Manifest& m : manifests) {
+    const auto holding = std::ranges::count_if(m.outcome.verdicts, &Verdict::holds);
+    html +=
+        fmt::format("<tr><td><a href=\"#{0}\">{0}</a></td><td>{1}</td><td>{2} of {3}</td></tr>\n",
+                    m.experiment, escaped(m.title), holding, m.outcome.verdicts.size());
+  }
+  return html + "</table>\n";
+}
+
+}  // namespace
+
+void write_page(const std::vector<Manifest>& manifests, const fs::path& out) {
+  StagedFiles files(out);
+  std::ofstream page = files.create("index.html");
+  page << kHead << "<h1>Figures, tables and claims, made again</h1>\n"
+       << "<p class=\"lead\">Experiments of J. M. Porta and E. Celaya, <i>Reactive Free-Gait "
+          "Generation "
+          "to Follow Arbitrary Trajectories with a Hexapod Robot</i> [PC04], with hexagait "
+       << kVersion << " (" << kRevision
+       << "). What does not hold is said so, with the numbers.</p>\n"
+       << overview_html(manifests);
+  for (const Manifest& manifest : manifests) {
+    const fs::path directory = out / manifest.experiment;
+    page << fmt::format("<section id=\"{0}\">\n<h2><small>{0}</small>{1}</h2>\n",
+                        manifest.experiment, escaped(manifest.title))
+         << claims_html(manifest.outcome.verdicts) << figures_html(manifest, directory)
+         << table_html(manifest.outcome.table) << files_html(manifest, directory) << "</section>\n";
+  }
+  page << "</html>\n";
+  page.close();
+  files.publish();
+}
+
+}  // namespace hexagait::experiments
