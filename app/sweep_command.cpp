@@ -7,6 +7,7 @@
 
 #include <charconv>
 #include <hexagait/sweep/job_files.hpp>
+#include <hexagait/sweep/report.hpp>
 #include <hexagait/sweep/results.hpp>
 #include <optional>
 #include <thread>
@@ -150,6 +151,15 @@ int sweep_command(const SweepArguments& arguments) {
   return interrupted ? kInterrupted : kFailed;
 }
 
+int report_command(const ReportArguments& arguments) {
+  const sweep::Report report = sweep::make_report(arguments.directory, arguments.measure);
+  draw(report);
+  fmt::print("{}", arguments.json ? to_json(report) + "\n" : in_words(report));
+  if (!arguments.json)
+    fmt::print("Drawn: {}\n", (fs::path(arguments.directory) / "report.svg").string());
+  return kOk;
+}
+
 int merge_command(const MergeArguments& arguments) {
   const Published published =
       sweep::merge({arguments.parts.begin(), arguments.parts.end()}, arguments.out);
@@ -161,7 +171,4 @@ int merge_command(const MergeArguments& arguments) {
   return kOk;
 }
 
-}  // namespace hexagait::app
-namespace hexagait::app {
-int report_command(const ReportArguments&) { return kOk; }
 }  // namespace hexagait::app

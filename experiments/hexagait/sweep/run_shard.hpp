@@ -12,8 +12,8 @@ namespace hexagait::sweep {
 struct RunOptions {
   int jobs = 1;                             ///< worker processes
   const std::atomic<bool>* stop = nullptr;  ///< once true, it ends early
-  std::function<void(std::uint64_t finished, std::uint64_t whole)>
-      progress;  ///< told now and then how many trials of this run are finished
+  std::function<void(std::uint64_t finished, std::uint64_t whole)> progress =
+      {};  ///< told now and then how many trials of this run are finished
 };
 
 /// First and last of successive trials of a shard.

@@ -25,6 +25,10 @@ std::size_t distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
+  // The beginning of one, if it says enough.
+  for (const std::string& candidate : known)
+    if (word.size() >= 3 && candidate.starts_with(word))
+      return fmt::format("; did you mean '{}'?", candidate);
   const auto nearest = std::ranges::min_element(
       known, {}, [&](const std::string& candidate) { return distance(word, candidate); });
   if (nearest != known.end() &&
