@@ -163,7 +163,7 @@ TEST_F(Cli, SaysHowToGetGnuplotWhenThereIsNone) {
 }
 
 TEST_F(Cli, HelpsWithExamples) {
-  for (const char* command : {"walk", "robot", "terrains", "experiment"}) {
+  for (const char* command : {"walk", "robot", "terrains", "experiment", "verify"}) {
     const Result result = run(std::string(command) + " --help");
     EXPECT_EQ(result.status, 0);
     EXPECT_THAT(result.out, AllOf(HasSubstr("Example"), HasSubstr("hexagait "))) << command;

@@ -33,6 +33,9 @@ int experiment_command(const ExperimentArguments& arguments);
 /// `hexagait robot FILE`. @throws InvalidInput
 int robot_command(const std::string& robot, bool json);
 
+/// `hexagait verify`: 0 if all theorems hold.
+int verify_command(bool as_json, bool quiet);
+
 /// `hexagait terrains`.
 int terrains_command();
 

@@ -165,6 +165,14 @@ int run(int argc, char** argv) {
   robot_app->add_flag("--json", robot_json, "Print one JSON object");
   robot_app->footer("\nExamples:\n  hexagait robot argos\n  hexagait robot mine.urdf --json");
 
+  bool verify_json = false, verify_quiet = false;
+  CLI::App* verify_app = app.add_subcommand("verify", "Prove the gait theorems, case by case");
+  verify_app->add_flag("--json", verify_json, "Print one JSON object");
+  verify_app->add_flag("--quiet", verify_quiet, "No progress on stderr");
+  verify_app->footer(
+      "\nExamples:\n  hexagait verify\n  hexagait verify --json --quiet > theorems.json\n\n"
+      "Exit status: 0 all theorems hold; 1 one does not; 2 bad usage.");
+
   CLI::App* terrains_app = app.add_subcommand("terrains", "List the terrains");
   terrains_app->footer("\nExample:\n  hexagait terrains");
 
@@ -178,6 +186,7 @@ int run(int argc, char** argv) {
   }
   if (app.got_subcommand("walk")) return walk_command(walk);
   if (app.got_subcommand("experiment")) return experiment_command(experiment);
+  if (app.got_subcommand(verify_app)) return verify_command(verify_json, verify_quiet);
   if (app.got_subcommand("sweep")) return sweep_command(sweep);
   if (app.got_subcommand("merge")) return merge_command(merge);
   if (app.got_subcommand("report")) return report_command(report);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <bit>
+#include <array>
 #include <cassert>
 #include <cstdint>
 #include <hexagait/core/leg.hpp>
@@ -51,19 +51,46 @@ using RingBits = std::uint32_t;
   return ((bits >> 1) | (bits << (n - 1))) & ring_mask(n);
 }
 
+namespace detail {
+
+/// Six legs at a time: where each set of them stands on the ring, and back.
+struct RingTable {
+  std::array<std::array<std::uint16_t, 64>, 2> to_ring{}, to_legs{};
+
+  constexpr explicit RingTable(int n) {
+    for (unsigned half = 0; half < 2; ++half) {
+      for (unsigned six = 0; six < 64; ++six) {
+        for (int k = 0; k < n; ++k) {
+          to_ring[half][six] |=
+              static_cast<std::uint16_t>((six << 6 * half >> leg_at(k, n) & 1) << k);
+          to_legs[half][six] |=
+              static_cast<std::uint16_t>((six << 6 * half >> k & 1) << leg_at(k, n));
+        }
+      }
+    }
+  }
+};
+inline constexpr std::array kRingTables = {RingTable(4), RingTable(6), RingTable(8), RingTable(10),
+                                           RingTable(12)};
+
+[[nodiscard]] constexpr const RingTable& ring_table(int n) noexcept {
+  assert(is_ring_size(n));
+  return kRingTables[static_cast<std::size_t>(n / 2 - 2)];
+}
+
+}  // namespace detail
+
 [[nodiscard]] constexpr RingBits ring_bits(LegSet legs, int n) noexcept {
-  RingBits bits = 0;
-  for (std::uint32_t rest = legs.bits() & ring_mask(n); rest != 0; rest &= rest - 1)
-    bits |= 1U << position_of(std::countr_zero(rest), n);
-  return bits;
+  const detail::RingTable& table = detail::ring_table(n);
+  return RingBits{table.to_ring[0][legs.bits() & 63U]} |
+         RingBits{table.to_ring[1][legs.bits() >> 6 & 63U]};
 }
 
 /// Inverse of ring_bits.
 [[nodiscard]] constexpr LegSet legs_at(RingBits bits, int n) noexcept {
-  LegSet legs;
-  for (RingBits rest = bits & ring_mask(n); rest != 0; rest &= rest - 1)
-    legs.insert(leg_at(std::countr_zero(rest), n));
-  return legs;
+  const detail::RingTable& table = detail::ring_table(n);
+  return LegSet(RingBits{table.to_legs[0][bits & 63U]} |
+                RingBits{table.to_legs[1][bits >> 6 & 63U]});
 }
 
 /// The two neighbours of a leg.

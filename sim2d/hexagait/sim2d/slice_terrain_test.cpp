@@ -77,6 +77,7 @@ TEST(Descent, DiffersFromLegToLegStepToStepAndTrialToTrial) {
   const int draw = descent_of(terrain, {1, 1}, 1, 1);
   EXPECT_NE(draw, descent_of(terrain, {1, 1}, 2, 1));
   EXPECT_NE(draw, descent_of(terrain, {1, 1}, 1, 2));
+  EXPECT_NE(descent_of(terrain, {1, 1}, 1, 2), descent_of(terrain, {1, 1}, 2, 1));
   EXPECT_NE(draw, descent_of(terrain, {1, 2}, 1, 1));
   EXPECT_NE(draw, descent_of(terrain, {2, 1}, 1, 1));
 }
@@ -112,8 +113,8 @@ TEST(Profile, HasCellsAsLongAsTheySayOnBothSidesOfZero) {
 
 // (slice 3), followed from outside: heights of the last footholds, the ground below each foot in
 // the air, and whether it stands.
-TEST(Profile, FeetStandInTheFirstSliceInWhichTheyAreWithinHalfASliceOfTheGround) {
-  const SliceConfig c = config("free", "profile:4");
+void expect_landings(const std::string& terrain) {
+  const SliceConfig c = config("free", terrain);
   const SliceSeed seed{8, 1};
   const auto ground = [&](LegId leg, double x) {
     return cell_height(c.terrain, seed, leg, static_cast<std::int64_t>(std::floor(x / 50.0)));
@@ -137,6 +138,11 @@ TEST(Profile, FeetStandInTheFirstSliceInWhichTheyAreWithinHalfASliceOfTheGround)
       slices[leg] = 0;
     }
   }
+}
+
+TEST(Profile, FeetStandInTheFirstSliceInWhichTheyAreWithinHalfASliceOfTheGround) {
+  expect_landings("profile:4");
+  expect_landings("profile:30");  // also on ground that is higher than a foot is raised
 }
 
 }  // namespace

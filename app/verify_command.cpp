@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <hexagait/verify/verify.hpp>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "progress.hpp"
+
+namespace hexagait::app {
+namespace {
+
+using verify::Cell;
+using verify::Report;
+using verify::Table;
+using verify::Theorem;
+
+constexpr std::size_t kWidth = 98;  // of a paragraph
+
+std::string in_words(const Cell& cell) {
+  if (const auto* number = std::get_if<std::int64_t>(&cell)) return fmt::format("{}", *number);
+  if (const auto* number = std::get_if<double>(&cell)) return fmt::format("{:.4f}", *number);
+  return std::get<std::string>(cell);
+}
+
+/// Columns as wide as need be; `…` is one column wide but three bytes long.
+std::size_t width(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+std::string aligned(const std::string& text, std::size_t columns) {
+  return fmt::format("{:{}}{}", "", columns - width(text), text);
+}
+
+void print(const Table& table) {
+  if (table.rows.empty()) return;
+  std::vector<std::vector<std::string>> lines(1, table.columns);
+  for (std::string& heading : lines.front()) std::ranges::replace(heading, '_', ' ');
+  for (const auto& row : table.rows) {
+    lines.emplace_back();
+    std::ranges::transform(row, std::back_inserter(lines.back()),
+                           [](const Cell& cell) { return in_words(cell); });
+  }
+  for (const auto& line : lines) {
+    std::string text = "  ";
+    for (std::size_t k = 0; k < line.size(); ++k) {
+      std::size_t columns = 0;
+      for (const auto& other : lines) columns = std::max(columns, width(other[k]));
+      text += fmt::format("  {}", aligned(line[k], columns));
+    }
+    fmt::print("{}\n", text);
+  }
+}
+
+void print_paragraph(const std::string& text) {
+  std::string line = " ";
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    const std::string word = text.substr(at, end - at);
+    if (width(line) + 1 + width(word) > kWidth) {
+      fmt::print("{}\n", line);
+      line.assign(1, ' ');
+    }
+    line.append(" ").append(word);
+    at = end + 1;
+  }
+  fmt::print("{}\n", line);
+}
+
+void print(const Theorem& theorem) {
+  std::string name = theorem.name;
+  std::ranges::replace(name, '_', ' ');
+  fmt::print("{}: {}, {} cases\n", name, theorem.holds() ? "holds" : "FAILS", theorem.cases);
+  print_paragraph(theorem.statement);
+  print_paragraph(theorem.convention);
+  if (!theorem.holds()) fmt::print("  first counter-example: {}\n", theorem.counterexample);
+  print(theorem.table);
+  fmt::print("\n");
+}
+
+std::int64_t cases(const Report& report) {
+  std::int64_t sum = 0;
+  for (const Theorem& theorem : report.theorems) sum += theorem.cases;
+  return sum;
+}
+
+nlohmann::ordered_json json(const Theorem& theorem) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const auto& row : theorem.table.rows) {
+    nlohmann::ordered_json object;
+    for (std::size_t k = 0; k < row.size(); ++k)
+      std::visit([&](const auto& value) { object[theorem.table.columns[k]] = value; }, row[k]);
+    rows.push_back(object);
+  }
+  nlohmann::ordered_json object = {{"name", theorem.name},
+                                   {"statement", theorem.statement},
+                                   {"convention", theorem.convention},
+                                   {"holds", theorem.holds()},
+                                   {"cases", theorem.cases},
+                                   {"counterexample", nullptr},
+                                   {"table", rows}};
+  if (!theorem.holds()) object["counterexample"] = theorem.counterexample;
+  return object;
+}
+
+void print_json(const Report& report) {
+  nlohmann::ordered_json theorems = nlohmann::ordered_json::array();
+  for (const Theorem& theorem : report.theorems) theorems.push_back(json(theorem));
+  const nlohmann::ordered_json object = {
+      {"holds", report.holds()}, {"cases", cases(report)}, {"theorems", theorems}};
+  fmt::print("{}\n", object.dump(2));
+}
+
+}  // namespace
+
+int verify_command(bool as_json, bool quiet) {
+  Report report;
+  {
+    Progress progress(1.0, Progress::Measure::share, quiet);
+    report = verify::verify({}, {}, [&](double share) { progress.at(share); });
+  }
+  if (as_json) {
+    print_json(report);
+  } else {
+    for (const Theorem& theorem : report.theorems) print(theorem);
+    const auto holding = std::ranges::count_if(report.theorems, &Theorem::holds);
+    fmt::print("{} of {} theorems hold; {} cases, none sampled.\n", holding, report.theorems.size(),
+               cases(report));
+  }
+  return report.holds() ? kOk : kFailed;
+}
+
+}  // namespace hexagait::app

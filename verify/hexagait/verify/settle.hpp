@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace hexagait::verify {
+
+/// Where successor after successor leads. Every situation has one, and there are finitely many, so
+/// each walk ends in a cycle.
+///
+/// @param start  where to start
+/// @param memo  of earlier walks: an integer per key, 0 where none came past
+/// @param key  situation → its key in the memo, one to one
+/// @param next  situation → its successor
+/// @param on_cycle  called with each cycle that no earlier walk has found, in order
+/// @returns how many successors from `start` until the first situation of the cycle
+template <class Situation, class Memo, class Key, class Next, class OnCycle>
+int settle(const Situation& start, Memo& memo, const Key& key, const Next& next,
+           const OnCycle& on_cycle) {
+  // In the memo: −1 on this very walk, k + 1 for k successors until the cycle.
+  std::vector<std::pair<decltype(key(start)), Situation>> walk;
+  Situation here = start;
+  auto here_key = key(here);
+  for (; memo[here_key] == 0; here_key = key(here)) {
+    memo[here_key] = -1;
+    walk.emplace_back(here_key, here);
+    here = next(here);
+  }
+
+  int left = memo[here_key];
+  if (left == -1) {
+    left = 1;
+    std::vector<Situation> cycle;
+    do {
+      cycle.insert(cycle.begin(), walk.back().second);
+      memo[walk.back().first] = 1;
+      walk.pop_back();
+    } while (cycle.front() != here);
+    on_cycle(std::span<const Situation>(cycle));
+  }
+  for (; !walk.empty(); walk.pop_back())
+    memo[walk.back().first] = static_cast<std::int16_t>(++left);
+  return left - 1;
+}
+
+}  // namespace hexagait::verify

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <hexagait/verify/situation.hpp>
+
+namespace hexagait::verify {
+
+using namespace gait_state;
+
+namespace {
+
+constexpr double kSpacing = 0.01;   // of made lags [m]
+constexpr double kInFront = -0.01;  // lag of a foot that lands from a step [m]
+
+std::int8_t& air_of(Situation& situation, LegId leg) {
+  return situation.air[static_cast<std::size_t>(leg)];
+}
+int air_of(const Situation& situation, LegId leg) {
+  return situation.air[static_cast<std::size_t>(leg)];
+}
+
+/// Of neighbours in the air, a before b: is the raw relation `a < b`? It is from when the first of
+/// them lifted. If that one is in a step then b came later by a slip; if a slipped leg is the first
+/// to land, then the other was the first to lift, and landing must change nothing.
+bool second_goes_first(const Situation& situation, LegId a, LegId b) {
+  const bool a_lands_first = air_of(situation, a) <= air_of(situation, b);
+  const bool first_slipped = situation.slipped.contains(a_lands_first ? a : b);
+  return a_lands_first == first_slipped;
+}
+
+GaitState raw_of(const Situation& situation) {
+  const GaitState& state = situation.state;
+  const RingBits air = ring_bits(airborne(situation), state.n);
+  const RingBits next_air = from_after(air, state.n);
+  GaitState raw{(state.bits & ~air) | (next_air & ~air), state.n};
+  for (int k = 0; k < state.n; ++k) {
+    if (((air & next_air) >> k & 1U) == 0) continue;
+    if (second_goes_first(situation, leg_at(k, state.n), leg_at((k + 1) % state.n, state.n)))
+      raw.bits |= 1U << k;
+  }
+  return raw;
+}
+
+GaitState turned(GaitState state, LegSet landed) {
+  for (LegId leg = 0; leg < state.n; ++leg)
+    if (landed.contains(leg)) state = after_step(state, leg);
+  return state;
+}
+
+}  // namespace
+
+LegSet airborne(const Situation& situation) noexcept {
+  LegSet legs;
+  for (LegId leg = 0; leg < situation.state.n; ++leg) legs.set(leg, air_of(situation, leg) > 0);
+  return legs;
+}
+
+bool is_step(const Slice& slice) noexcept {
+  return slice.next.state == slice.expected &&
+         without(slice.lifted, priority_legs(slice.expected)).empty();
+}
+
+bool keeps_rule_1(const Slice& slice) noexcept {
+  return (neighbours_of(slice.lifted, slice.next.state.n) & airborne(slice.next)).empty();
+}
+
+std::string to_string(const Situation& situation) {
+  std::string text = to_string(situation.state);
+  for (LegId leg = 0; leg < situation.state.n; ++leg) {
+    const int left = air_of(situation, leg);
+    if (left == 0) continue;
+    text += fmt::format(", leg {} in the air for {} slice{}{}", leg, left, left == 1 ? "" : "s",
+                        situation.slipped.contains(leg) ? " after a slip" : "");
+  }
+  return text;
+}
+
+std::vector<GaitState> non_cyclic_states(int n) {
+  std::vector<GaitState> states;
+  for (RingBits bits = 1; bits < ring_mask(n); ++bits) states.push_back({bits, n});
+  return states;
+}
+
+std::vector<GaitState> balanced_states(int n) {
+  std::vector<GaitState> states = non_cyclic_states(n);
+  std::erase_if(states, [n](const GaitState& state) { return 2 * state.ccn() != n; });
+  return states;
+}
+
+LegArray<double> lags_of(const GaitState& state) {
+  LegArray<double> lag(state.n, 0.0);
+  for (int round = 0; round < state.n; ++round) {
+    for (int k = 0; k < state.n; ++k) {
+      const bool less = ((state.bits >> k) & 1U) != 0;
+      double& a = lag[leg_at(k, state.n)];
+      double& b = lag[leg_at((k + 1) % state.n, state.n)];
+      double& first = less ? b : a;
+      first = std::max(first, (less ? a : b) + kSpacing);
+    }
+  }
+  return lag;
+}
+
+Slices::Slices(const Rules& rules, int n, int step_time, Adjustment adjustment)
+    : rules_(rules), n_(n), step_time_(step_time), lags_(1U << n) {
+  params_.adjustment = adjustment;
+  for (const GaitState& state : non_cyclic_states(n)) lags_[state.bits] = lags_of(state);
+}
+
+GaitLatch Slices::latch_in(const Situation& situation) const {
+  return {situation.state, raw_of(situation), airborne(situation)};
+}
+
+Slice Slices::advance(const Situation& situation, const Choose& choose) const {
+  GaitLatch latch = latch_in(situation);
+  Slice slice{.next = situation, .lifted = {}, .expected = {}};
+  GaitInput input{lags_[situation.state.bits], {}, {}};
+
+  // Landings: in front from a step, where it was after a slip.
+  LegSet landed;
+  for (LegId leg = 0; leg < n_; ++leg) {
+    std::int8_t& left = air_of(slice.next, leg);
+    if (left == 1 && !situation.slipped.contains(leg)) landed.insert(leg);
+    if (left > 0) --left;
+  }
+  for (LegId leg = 0; leg < n_; ++leg)
+    if (landed.contains(leg)) input.lag[leg] = kInFront;
+  slice.expected = turned(situation.state, landed);
+  slice.next.slipped = situation.slipped & airborne(slice.next);
+
+  // The decision, and lifts.
+  input.airborne = airborne(slice.next);
+  const GaitDecision decision = rules_.update(latch, input, params_);
+  slice.next.state = decision.state;
+  slice.lifted = choose ? choose(decision.may_step, input.airborne) : decision.may_step;
+  if (slice.lifted.empty()) return slice;
+  for (LegId leg = 0; leg < n_; ++leg)
+    if (slice.lifted.contains(leg)) air_of(slice.next, leg) = static_cast<std::int8_t>(step_time_);
+  input.airborne = airborne(slice.next);
+  slice.next.state = rules_.update(latch, input, params_).state;
+  return slice;
+}
+
+}  // namespace hexagait::verify
