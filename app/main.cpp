@@ -6,6 +6,7 @@
 #include <hexagait/experiments/version.hpp>
 
 #include "commands.hpp"
+#include "sweep_command.hpp"
 
 namespace hexagait::app {
 namespace {
@@ -95,6 +96,46 @@ void add_experiment(CLI::App& app, ExperimentArguments& a) {
   experiment->add_flag("--quiet", a.quiet, "No progress on stderr");
 }
 
+void add_sweep(CLI::App& app, SweepArguments& a) {
+  CLI::App* sweep = app.add_subcommand("sweep", "Run a grid of trials, on all cores");
+  sweep->footer(
+      "\nExamples:\n  hexagait sweep sweeps/speed_slice.yaml --out results/speed\n"
+      "  hexagait sweep sweeps/speed_argos.yaml --shard 2/8 --out results/part2\n"
+      "  hexagait sweep sweeps/speed_argos.yaml --emit slurm --shards 32 --out results/argos\n\n"
+      "After Ctrl-C, or worse, the same command goes on where it was.\n"
+      "Exit status: 0 all trials are in; 1 some are missing; 2 bad usage or input; 130 Ctrl-C.");
+  sweep->add_option("file", a.file, "Sweep file: see docs/sweeps.md")
+      ->type_name("FILE.yaml")
+      ->required();
+  sweep->add_option("--out", a.out, "Directory of the results")->type_name("DIR")->required();
+  sweep->add_option("--jobs", a.jobs, "Worker processes; default one per core")->type_name("N");
+  sweep->add_option("--shard", a.shard, "Run only the k-th of n parts")->type_name("k/n");
+  sweep->add_option("--emit", a.emit, "Run nothing; write job files for several machines")
+      ->type_name("slurm|parallel|mpi");
+  sweep->add_option("--shards", a.shards, "Number of jobs, for --emit")->type_name("N");
+  sweep->add_flag("--json", a.json, "Print one JSON object");
+  sweep->add_flag("--quiet", a.quiet, "No progress on stderr");
+}
+
+void add_merge(CLI::App& app, MergeArguments& a) {
+  CLI::App* merge = app.add_subcommand("merge", "Put the shards of a sweep together");
+  merge->footer("\nExample:\n  hexagait merge part1 part2 part3 --out whole");
+  merge->add_option("parts", a.parts, "Directories of shards")->type_name("DIR")->required();
+  merge->add_option("--out", a.out, "Directory of the result")->type_name("DIR")->required();
+  merge->add_flag("--json", a.json, "Print one JSON object");
+}
+
+void add_report(CLI::App& app, ReportArguments& a) {
+  CLI::App* report = app.add_subcommand("report", "Statistics and a figure of a finished sweep");
+  report->footer("\nExample:\n  hexagait report results/speed --measure fraction_of_bound");
+  report->add_option("directory", a.directory, "Of the sweep's results")
+      ->type_name("DIR")
+      ->required();
+  report->add_option("--measure", a.measure, "Column of trials.csv; default what the sweep says")
+      ->type_name("COLUMN");
+  report->add_flag("--json", a.json, "Print one JSON object");
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Reactive free-gait walking for legged robots", "hexagait");
   app.set_version_flag("--version", std::string("hexagait ") + experiments::kVersion + " (" +
@@ -107,6 +148,13 @@ int run(int argc, char** argv) {
 
   ExperimentArguments experiment;
   add_experiment(app, experiment);
+
+  SweepArguments sweep;
+  MergeArguments merge;
+  ReportArguments report;
+  add_sweep(app, sweep);
+  add_merge(app, merge);
+  add_report(app, report);
 
   std::string robot;
   bool robot_json = false;
@@ -139,6 +187,9 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("walk")) return walk_command(walk);
   if (app.got_subcommand("experiment")) return experiment_command(experiment);
   if (app.got_subcommand(verify_app)) return verify_command(verify_json, verify_quiet);
+  if (app.got_subcommand("sweep")) return sweep_command(sweep);
+  if (app.got_subcommand("merge")) return merge_command(merge);
+  if (app.got_subcommand("report")) return report_command(report);
   if (app.got_subcommand(robot_app)) return robot_command(robot, robot_json);
   return terrains_command();
 }

@@ -51,6 +51,8 @@ std::string Progress::line(double done, double wall) const {
   std::string text = fmt::format("{:3.0f} %", 100.0 * done / whole_);
   if (measure_ == Measure::simulated_seconds)
     text += fmt::format("  {:.1f} of {:.1f} s simulated, {:.1f} × real time", done, whole_, rate);
+  if (measure_ == Measure::trials)
+    text += fmt::format("  {:.0f} of {:.0f} trials, {:.{}f} per second", done, whole_, rate, rate < 10.0 ? 2 : 0);
   return text + fmt::format(", {:.0f} s left", left);
 }
 

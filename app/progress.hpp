@@ -15,6 +15,7 @@ class Progress {
   enum class Measure {
     simulated_seconds,
     share,  ///< 0 … 1
+    trials,
   };
   Progress(double whole, Measure measure, bool quiet);
   ~Progress();

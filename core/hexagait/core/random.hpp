@@ -13,7 +13,8 @@ enum class RandomStream : std::uint32_t {
   posture = 2,
   commands = 3,
   noise = 4,
-  test = 5
+  test = 5,
+  seeds = 16,  ///< of the trials of a sweep
 };
 
 /// A counter-based random number: a pure function of (seed, stream, trial, draw), with no state.

@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+// Sweeps as a user meets them: exit status, what is printed where, what is left behind.
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr const char* kSweep =
+    "simulator: slice\ncontrollers: [tripod, free]\nterrains: [descent:3-7]\nslices: 200\n";
+
+std::string content(const fs::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+struct Result {
+  int status = -1;
+  std::string out, err;
+};
+
+class SweepCli : public testing::Test {
+ protected:
+  SweepCli() {
+    std::string pattern = testing::TempDir() + "hexagait-sweep-cli-XXXXXX";
+    here_ = mkdtemp(pattern.data());
+    write("sweep.yaml", std::string(kSweep) + "seeds: 20\n");
+  }
+  ~SweepCli() override { fs::remove_all(here_); }
+
+  [[nodiscard]] fs::path at(const std::string& name) const { return here_ / name; }
+  void write(const std::string& name, const std::string& text) { std::ofstream(at(name)) << text; }
+
+  pid_t start(const std::string& arguments) {
+    const std::string line = "cd '" + here_.string() + "' && " + prefix_ + "exec " +
+                             HEXAGAIT_COMMAND " " + arguments + " >out 2>err";
+    const pid_t child = fork();
+    if (child == 0) {
+      execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
+      _exit(127);
+    }
+    return child;
+  }
+
+  Result finish(pid_t child) {
+    int status = 0;
+    waitpid(child, &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(at("out")), content(at("err"))};
+  }
+
+  Result run(const std::string& arguments) { return finish(start(arguments)); }
+
+  std::string prefix_;  // before the command
+
+ private:
+  fs::path here_;
+};
+
+TEST_F(SweepCli, WritesRowsTimingsAndAManifest) {
+  const Result result = run("sweep sweep.yaml --out a --jobs 2 --json");
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.err, IsEmpty());
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["trials"], 40);
+  EXPECT_EQ(json["complete"], true);
+  const auto manifest = nlohmann::json::parse(content(at("a/manifest.json")));
+  EXPECT_EQ(manifest["rows_hash"], json["rows_hash"]);
+  EXPECT_EQ(manifest["controllers"][1], "free");
+  EXPECT_TRUE(content(at("a/trials.csv")).starts_with("trial,controller,robot,terrain,roughness,"));
+  EXPECT_TRUE(content(at("a/timings.csv")).starts_with("trial,wall_s\n0,"));
+}
+
+TEST_F(SweepCli, RefusesASweepFileWithAllItsErrorsAndWritesNothing) {
+  write("bad.yaml", "simulator: slice\ncontroller: [free]\nterrains: [swamp]\nseeds: -3\n");
+  const Result result = run("sweep bad.yaml --out a");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.out, IsEmpty());
+  EXPECT_THAT(result.err,
+              AllOf(HasSubstr("bad.yaml:2:1: unknown key 'controller'; did you mean 'controllers'"),
+                    HasSubstr("bad.yaml:3:12: the slice model has no terrain 'swamp'"),
+                    HasSubstr("bad.yaml:4:8: seeds is '-3'"),
+                    HasSubstr("bad.yaml:1:1: 'controllers' is missing")));
+  EXPECT_FALSE(fs::exists(at("a")));
+}
+
+TEST_F(SweepCli, RefusesOptionsThatMakeNoSense) {
+  for (const auto& [options, word] :
+       {std::pair("--jobs 0", "--jobs is '0'"), std::pair("--jobs many", "'many'"),
+        std::pair("--shard 3", "2/8"), std::pair("--shard 3/2", "from 1 to 2"),
+        std::pair("--shard 0/2", "'0'"),
+        std::pair("--emit pbs --shards 2", "slurm, parallel or mpi"),
+        std::pair("--emit slurm", "--shards N"), std::pair("--shards 2", "--emit")}) {
+    const Result result = run(std::string("sweep sweep.yaml --out a ") + options);
+    EXPECT_EQ(result.status, 2) << options;
+    EXPECT_THAT(result.err, HasSubstr(word)) << options;
+    EXPECT_FALSE(fs::exists(at("a"))) << options;
+  }
+  EXPECT_EQ(run("sweep sweep.yaml").status, 2);
+  EXPECT_EQ(run("sweep sweep.yaml --out /proc/a").status, 2);
+  EXPECT_EQ(run("merge none --out a").status, 2);
+  EXPECT_EQ(run("report none").status, 2);
+}
+
+TEST_F(SweepCli, MergesShardsIntoTheBytesOfOneProcess) {
+  EXPECT_EQ(run("sweep sweep.yaml --out whole").status, 0);
+  EXPECT_EQ(run("sweep sweep.yaml --out b --shard 2/2 --jobs 1").status, 0);
+  EXPECT_EQ(run("sweep sweep.yaml --out a --shard 1/2 --jobs 3").status, 0);
+  EXPECT_EQ(run("merge b a --out both").status, 0);
+  EXPECT_EQ(content(at("both/trials.csv")), content(at("whole/trials.csv")));
+  const Result gap = run("merge a --out half");
+  EXPECT_EQ(gap.status, 2);
+  EXPECT_THAT(gap.err, HasSubstr("trials 2 to 3 missing"));
+  EXPECT_FALSE(fs::exists(at("half")));
+}
+
+// Ctrl-C, and worse, in the middle of 20 000 trials; then the same command again.
+TEST_F(SweepCli, LosesAndRepeatsNoTrialWhenItIsInterrupted) {
+  write("long.yaml", std::string(kSweep) + "seeds: 10000\n");
+  const auto lines = [&] {
+    const std::string text = content(at("a/journal.txt"));
+    return std::count(text.begin(), text.end(), '\n');
+  };
+  for (const int signal : {SIGINT, SIGKILL}) {
+    const auto before = lines();
+    const pid_t child = start("sweep long.yaml --out a --quiet");
+    while (lines() < before + 100 && waitpid(child, nullptr, WNOHANG) == 0) usleep(2000);
+    kill(child, signal);
+    const Result result = finish(child);
+    EXPECT_LT(lines(), 20'001);
+    if (signal == SIGKILL) continue;
+    EXPECT_EQ(result.status, 130);
+    EXPECT_THAT(result.err, AllOf(HasSubstr("finished and kept; missing: "), HasSubstr("-19999")));
+    EXPECT_FALSE(fs::exists(at("a/trials.csv")));
+  }
+  EXPECT_EQ(run("sweep long.yaml --out a --quiet").status, 0);
+  EXPECT_EQ(lines(), 20'001);  // each trial once, and the first line
+  EXPECT_EQ(run("sweep long.yaml --out b --quiet").status, 0);
+  EXPECT_EQ(content(at("a/trials.csv")), content(at("b/trials.csv")));
+}
+
+// 8 blocks of 512 B: room for the first line and some trials.
+TEST_F(SweepCli, TellsWhatIsMissingWhenTheDiskIsFull) {
+  prefix_ = "ulimit -f 8; ";
+  const Result result = run("sweep sweep.yaml --out a");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.err, AllOf(HasSubstr("the journal can't be written"),
+                                HasSubstr("of 40 trials are finished and kept; missing: ")));
+  prefix_ = "";
+  EXPECT_EQ(run("sweep sweep.yaml --out a").status, 0);
+  EXPECT_EQ(run("sweep sweep.yaml --out b").status, 0);
+  EXPECT_EQ(content(at("a/trials.csv")), content(at("b/trials.csv")));
+}
+
+// A row tells how to see its walk: its seed gives the same bits in hexagait walk.
+TEST_F(SweepCli, NamesTheSeedThatWalksTheSameWalkAgain) {
+  write("walk.yaml",
+        "simulator: ode\ncontrollers: ['wave:0.75']\nterrains: [boxes:0.1]\nseeds: 1\n"
+        "seconds: 2\nrandom_posture: 0.05\n");
+  EXPECT_EQ(run("sweep walk.yaml --out a").status, 0);
+  std::string row = content(at("a/trials.csv"));
+  row.pop_back();
+  row = row.substr(row.rfind('\n') + 1);
+  std::istringstream cells(row);
+  std::string seed;
+  for (int i = 0; i < 6; ++i) std::getline(cells, seed, ',');
+  const Result walk = run("walk --gait wave:0.75 --terrain boxes:0.1 --random-posture 0.05 " +
+                          ("--seconds 2 --json --seed " + seed));
+  EXPECT_EQ(nlohmann::json::parse(walk.out)["state_hash"], row.substr(row.rfind(',') + 1));
+}
+
+TEST_F(SweepCli, ReportsWith ATableAndAFigure) {
+  EXPECT_EQ(run("sweep sweep.yaml --out a").status, 0);
+  const Result words = run("report a");
+  EXPECT_EQ(words.status, 0);
+  EXPECT_THAT(words.out, AllOf(HasSubstr("less tripod"), HasSubstr("±"), HasSubstr("report.svg")));
+  EXPECT_TRUE(fs::exists(at("a/report.pdf")));
+  const auto json = nlohmann::json::parse(run("report a --json --measure steps").out);
+  EXPECT_EQ(json["measure"], "steps");
+  EXPECT_EQ(json["lines"][1]["difference"]["count"], 20);
+}
+
+TEST_F(SweepCli, WritesJobFilesThatABashCanRead) {
+  for (const std::string scheduler : {"slurm", "parallel", "mpi"}) {
+    const Result result =
+        run("sweep sweep.yaml --emit " + scheduler + " --shards 7 --jobs 2 --out jobs");
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_THAT(result.out, AllOf(HasSubstr(scheduler + ".sh"), HasSubstr("jobs/merged")));
+  }
+  for (const char* file :
+       {"slurm.sh", "shard.sbatch", "merge.sbatch", "parallel.sh", "rank.sh", "mpi.sh"})
+    EXPECT_EQ(std::system(("bash -n " + at("jobs/" + std::string(file)).string()).c_str()), 0);
+  EXPECT_THAT(content(at("jobs/shard.sbatch")),
+              AllOf(HasSubstr("--array=1-7 --cpus-per-task=2"), HasSubstr("shards=7")));
+}
+
+}  // namespace

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sweep_command.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <charconv>
+#include <hexagait/sweep/job_files.hpp>
+#include <hexagait/sweep/report.hpp>
+#include <hexagait/sweep/results.hpp>
+#include <optional>
+#include <thread>
+
+#include "arguments.hpp"
+#include "commands.hpp"
+#include "interrupt.hpp"
+#include "progress.hpp"
+
+namespace hexagait::app {
+namespace {
+
+namespace fs = std::filesystem;
+using sweep::Published;
+using sweep::RunOutcome;
+using sweep::Shard;
+using sweep::Sweep;
+
+// A whole number of 1 … greatest.
+std::uint64_t whole(const char* option, std::string_view text, std::uint64_t greatest) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value < 1 || value > greatest)
+    throw InvalidInput(
+        fmt::format("{} is '{}'; it must be a whole number from 1 to {}", option, text, greatest));
+  return value;
+}
+
+constexpr std::uint64_t kMaxJobs = 1024, kMaxShards = 1'000'000;
+
+int jobs(const std::string& text, unsigned otherwise) {
+  return static_cast<int>(text.empty() ? otherwise : whole("--jobs", text, kMaxJobs));
+}
+
+Shard shard(const std::string& text) {
+  if (text.empty()) return {};
+  const std::size_t slash = text.find('/');
+  if (slash == std::string::npos)
+    throw InvalidInput(fmt::format("--shard is '{}'; write 2/8 for the second of eight", text));
+  const std::uint64_t count =
+      whole("the number of shards", std::string_view(text).substr(slash + 1), kMaxShards);
+  return {whole("--shard", std::string_view(text).substr(0, slash), count) - 1, count};
+}
+
+// The message of robot_file() is about an option.
+std::string find_robot(const std::string& name) {
+  try {
+    return robot_file(name);
+  } catch (const InvalidInput& error) {
+    const std::string_view text = error.what();
+    throw InvalidInput(std::string(text.substr(text.starts_with("--") ? 2 : 0)));
+  }
+}
+
+int emit(const SweepArguments& arguments) {
+  const sweep::Scheduler scheduler = sweep::parse_scheduler(arguments.emit);
+  if (arguments.shards.empty())
+    throw InvalidInput("--emit needs --shards N: into how many jobs the sweep is cut");
+  if (!arguments.shard.empty()) throw InvalidInput("--emit and --shard exclude each other");
+  const std::string start =
+      write_job_files(scheduler,
+                      {.program = fs::read_symlink("/proc/self/exe"),
+                       .sweep = fs::absolute(arguments.file),
+                       .shards = whole("--shards", arguments.shards, kMaxShards),
+                       .jobs = jobs(arguments.jobs, 1)},
+                      arguments.out);
+  fmt::print("Job files are written; {} starts them, and the result will be in {}.\n", start,
+             (fs::path(arguments.out) / "merged").string());
+  return kOk;
+}
+
+std::vector<std::string> ranges(const RunOutcome& outcome) {
+  std::vector<std::string> words;
+  for (const sweep::TrialRange& range : outcome.missing)
+    words.push_back(range.first == range.last ? fmt::format("{}", range.first)
+                                              : fmt::format("{}-{}", range.first, range.last));
+  if (outcome.further_missing > 0)
+    words.push_back(fmt::format("and {} more ranges", outcome.further_missing));
+  return words;
+}
+
+void tell_missing(const RunOutcome& outcome, const Shard& shard) {
+  for (const std::string& failure : outcome.failures) fmt::print(stderr, "hexagait: {}\n", failure);
+  fmt::print(stderr,
+             "hexagait: {} of {} trials are finished and kept; missing{}: {}\nThe same command "
+             "again goes on with them.\n",
+             outcome.finished, outcome.trials,
+             shard.count > 1 ? fmt::format(" of shard {}/{}", shard.index + 1, shard.count) : "",
+             fmt::join(ranges(outcome), ", "));
+}
+
+std::string as_json(const RunOutcome& outcome, const std::optional<Published>& published) {
+  std::vector<std::string> missing;
+  for (const std::string& range : ranges(outcome)) missing.push_back('"' + range + '"');
+  return fmt::format(
+      "{{\"trials\": {}, \"finished\": {}, \"finished_before\": {}, \"complete\": {}, "
+      "\"missing\": [{}], \"rows_hash\": {}}}\n",
+      outcome.trials, outcome.finished, outcome.before, outcome.complete(),
+      fmt::join(missing, ", "),
+      published ? fmt::format("\"{:016x}\"", published->rows_hash) : "null");
+}
+
+void tell(const Published& published, const fs::path& directory) {
+  fmt::print("{} trials: {}, hash {:016x}\n", published.trials, (directory / "trials.csv").string(),
+             published.rows_hash);
+}
+
+RunOutcome run(const Sweep& sweep, const Shard& shard, const SweepArguments& arguments,
+               const std::atomic<bool>& interrupted) {
+  std::optional<Progress> progress;
+  const auto tell = [&](std::uint64_t finished, std::uint64_t whole) {
+    if (!progress)
+      progress.emplace(static_cast<double>(whole), Progress::Measure::trials, arguments.quiet);
+    progress->at(static_cast<double>(finished));
+  };
+  return run_shard(sweep, shard, arguments.out,
+                   {.jobs = jobs(arguments.jobs, std::max(1U, std::thread::hardware_concurrency())),
+                    .stop = &interrupted,
+                    .progress = tell});
+}
+
+}  // namespace
+
+int sweep_command(const SweepArguments& arguments) {
+  const Sweep sweep = sweep::load_sweep(arguments.file, find_robot);
+  if (!arguments.emit.empty()) return emit(arguments);
+  if (!arguments.shards.empty())
+    throw InvalidInput("--shards goes with --emit; one shard is chosen by --shard k/n");
+  const Shard part = shard(arguments.shard);
+
+  const std::atomic<bool>& interrupted = watch_interrupts();
+  const RunOutcome outcome = run(sweep, part, arguments, interrupted);
+  std::optional<Published> published;
+  if (outcome.complete()) published = sweep::publish(arguments.out);
+  if (arguments.json)
+    fmt::print("{}", as_json(outcome, published));
+  else if (published)
+    tell(*published, arguments.out);
+  if (published) return kOk;
+  tell_missing(outcome, part);
+  return interrupted ? kInterrupted : kFailed;
+}
+
+int report_command(const ReportArguments& arguments) {
+  const sweep::Report report = sweep::make_report(arguments.directory, arguments.measure);
+  draw(report);
+  fmt::print("{}", arguments.json ? to_json(report) + "\n" : in_words(report));
+  if (!arguments.json)
+    fmt::print("Drawn: {}\n", (fs::path(arguments.directory) / "report.svg").string());
+  return kOk;
+}
+
+int merge_command(const MergeArguments& arguments) {
+  const Published published =
+      sweep::merge({arguments.parts.begin(), arguments.parts.end()}, arguments.out);
+  if (arguments.json)
+    fmt::print("{{\"trials\": {}, \"rows_hash\": \"{:016x}\"}}\n", published.trials,
+               published.rows_hash);
+  else
+    tell(published, arguments.out);
+  return kOk;
+}
+
+}  // namespace hexagait::app

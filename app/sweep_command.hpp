@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace hexagait::app {
+
+/// `hexagait sweep` as it was typed. An empty text is an option that was not given.
+struct SweepArguments {
+  std::string file, out;
+  std::string jobs, shard;
+  std::string emit, shards;
+  bool json = false, quiet = false;
+};
+
+/// `hexagait sweep`: 0 if all trials of the sweep, or of its shard, are in. @throws InvalidInput
+int sweep_command(const SweepArguments& arguments);
+
+/// `hexagait merge` as it was typed.
+struct MergeArguments {
+  std::vector<std::string> parts;
+  std::string out;
+  bool json = false;
+};
+
+/// `hexagait merge`. @throws InvalidInput
+int merge_command(const MergeArguments& arguments);
+
+/// `hexagait report` as it was typed.
+struct ReportArguments {
+  std::string directory, measure;
+  bool json = false;
+};
+
+/// `hexagait report`. @throws InvalidInput
+int report_command(const ReportArguments& arguments);
+
+}  // namespace hexagait::app

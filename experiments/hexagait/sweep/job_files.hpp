@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace hexagait::sweep {
+
+/// What runs the shards of a sweep on several machines.
+enum class Scheduler {
+  slurm,     ///< an array job, and a job that waits for it and merges
+  parallel,  ///< GNU parallel
+  mpi,       ///< mpirun starts the shards; the program itself needs no MPI
+};
+
+/// What job files are made of.
+struct JobPlan {
+  std::string program;  ///< absolute path of the command, unless $HEXAGAIT says otherwise
+  std::string sweep;    ///< absolute path of the sweep file
+  std::uint64_t shards = 1;
+  int jobs = 1;  ///< processes per shard
+};
+
+/// "slurm", "parallel" or "mpi". @throws InvalidInput
+[[nodiscard]] Scheduler parse_scheduler(const std::string& text);
+
+/// Writes the scripts into a directory, which is made, and where results will be: each runs every
+/// shard into a directory of its own, then merges them into "merged".
+/// @returns how to start them, a command
+/// @throws InvalidInput  if they can't be written
+std::string write_job_files(Scheduler scheduler, const JobPlan& plan,
+                            const std::filesystem::path& directory);
+
+}  // namespace hexagait::sweep

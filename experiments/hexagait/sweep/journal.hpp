@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hexagait::sweep {
+
+/// A finished trial.
+struct Entry {
+  std::uint64_t position = 0;  ///< in its shard
+  std::uint64_t trial = 0;
+  std::string wall;  ///< time it took [s], as text
+  std::string row;   ///< its row of trials.csv, without the line's end
+};
+
+/// How far apart trials may finish: a trial enters a journal only when all that lie kWindow
+/// positions or more before it are in. So a journal is read in order with bounded memory, however
+/// long it is.
+inline constexpr std::uint64_t kWindow = 1U << 16;
+
+/// A line of a journal: the FNV-1a of the rest in 16 hexadecimal digits, position, wall time, row.
+[[nodiscard]] std::string journal_line(std::uint64_t position, std::string_view wall,
+                                       std::string_view row);
+
+/// The first line of a journal: the checksum, and what is swept, as JSON.
+[[nodiscard]] std::string journal_title(std::string_view title);
+
+/// Reads a journal, in which trials stand as they finished, in the order of their positions.
+class JournalReader {
+ public:
+  /// @throws InvalidInput  if there is none, or its first line is damaged
+  explicit JournalReader(const std::filesystem::path& directory);
+
+  /// The first line: what is swept, as JSON.
+  [[nodiscard]] const std::string& title() const { return title_; }
+
+  /// The next finished trial. @throws InvalidInput  for a damaged line, or a trial that is there
+  /// twice. A last line without an end is one that was never finished, and passed over.
+  [[nodiscard]] std::optional<Entry> next();
+
+  /// Where the lines read so far end [byte].
+  [[nodiscard]] std::uint64_t end() const { return end_; }
+
+ private:
+  [[nodiscard]] bool read_line(std::string& content);
+  [[nodiscard]] bool read_entry();
+
+  std::filesystem::path path_;
+  std::ifstream file_;
+  std::string title_;
+  std::uint64_t line_ = 0, end_ = 0;
+  std::map<std::uint64_t, Entry> ahead_;  // read, and not yet asked for, by position
+  std::uint64_t next_ = 0;                // all positions before it were asked for
+};
+
+/// A file to which lines are added. A line is in it whole or, after a failure, is cut off again.
+class Journal {
+ public:
+  /// Begins the journal of a directory, or goes on with it.
+  /// @param end  where its good lines end; what follows is cut off
+  /// @throws InvalidInput  if it can't be written, or another process is writing it
+  Journal(const std::filesystem::path& directory, const std::string& title, std::uint64_t end);
+  ~Journal();
+  Journal(const Journal&) = delete;
+  Journal& operator=(const Journal&) = delete;
+
+  /// Adds whole lines, safe from the end of this process at once, and from that of the machine a
+  /// second later. @returns why they could not be added, else nothing
+  [[nodiscard]] std::optional<std::string> append(std::string_view lines);
+
+ private:
+  void sync();
+
+  int file_ = -1;
+  std::uint64_t end_ = 0;
+  double synced_ = 0.0;
+};
+
+/// Whether a directory has a journal, with at least its first line.
+[[nodiscard]] bool has_journal(const std::filesystem::path& directory);
+
+/// "journal.txt" of a directory.
+[[nodiscard]] std::filesystem::path journal_path(const std::filesystem::path& directory);
+
+/// Which positions of a sequence are done, where none is done that lies kWindow or more beyond the
+/// first that is not.
+class DoneWindow {
+ public:
+  /// The first position that is not done.
+  [[nodiscard]] std::uint64_t low() const { return low_; }
+  [[nodiscard]] bool done(std::uint64_t position) const;
+  void mark(std::uint64_t position);
+
+ private:
+  std::uint64_t low_ = 0;
+  std::vector<bool> done_ = std::vector<bool>(kWindow);  // of position p at p % kWindow
+};
+
+}  // namespace hexagait::sweep

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <hexagait/sweep/sweep.hpp>
+
+namespace hexagait::sweep {
+
+/// What run_shard() is asked for beside the shard.
+struct RunOptions {
+  int jobs = 1;                             ///< worker processes
+  const std::atomic<bool>* stop = nullptr;  ///< once true, it ends early
+  std::function<void(std::uint64_t finished, std::uint64_t whole)> progress =
+      {};  ///< told now and then how many trials of this run are finished
+};
+
+/// First and last of successive trials of a shard.
+struct TrialRange {
+  std::uint64_t first = 0, last = 0;
+};
+
+/// How a run went.
+struct RunOutcome {
+  std::uint64_t trials = 0;           ///< of the shard
+  std::uint64_t before = 0;           ///< of these, finished by earlier runs
+  std::uint64_t finished = 0;         ///< of these, finished by now, earlier ones included
+  std::vector<TrialRange> missing;    ///< the first of them
+  std::uint64_t further_missing = 0;  ///< number of ranges that missing has no room for
+  std::vector<std::string> failures;  ///< why they are, each once
+
+  [[nodiscard]] bool complete() const { return finished == trials; }
+};
+
+/// Runs the trials of a shard that the journal of the directory does not have yet, and adds them to
+/// it. The directory is made if there is none.
+/// @throws InvalidInput  if the directory can't be written, or belongs to another sweep
+[[nodiscard]] RunOutcome run_shard(const Sweep& sweep, const Shard& shard,
+                                   const std::filesystem::path& directory,
+                                   const RunOptions& options);
+
+}  // namespace hexagait::sweep

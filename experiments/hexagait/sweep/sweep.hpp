@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <hexagait/sweep/engine.hpp>
+
+namespace hexagait::sweep {
+
+/// A robot of a sweep. Only the ODE engine has a choice; the others have one, without a model.
+struct Robot {
+  std::string name;             ///< as the sweep file spells it
+  std::uint64_t file_hash = 0;  ///< FNV-1a of its URDF, which is part of the configuration
+  RobotModel model;
+};
+
+/// A grid of trials: robots × terrains × seeds × controllers, the last varying fastest, so that the
+/// trials that are compared are neighbours.
+struct Sweep {
+  Engine engine = Engine::slice;
+  std::vector<gait_state::GaitChoice> controllers;
+  std::vector<Robot> robots;
+  std::vector<Ground> terrains;
+  std::uint64_t num_seeds = 0;       ///< seeds drawn from the master seed, …
+  std::vector<std::uint64_t> seeds;  ///< … unless they are listed here
+  std::uint64_t master_seed = 1;
+  Limits limits;
+  std::string measure;  ///< the column that a report is about
+};
+
+/// Where a trial is in the grid.
+struct Cell {
+  std::size_t robot = 0, terrain = 0, controller = 0;
+  std::uint64_t seed_index = 0;
+
+  friend bool operator==(const Cell&, const Cell&) = default;
+};
+
+/// Number of trials; they are numbered from 0.
+[[nodiscard]] std::uint64_t num_trials(const Sweep& sweep);
+
+/// Cell of trial k, and its inverse: a bijection of 0 … num_trials − 1 and the grid.
+[[nodiscard]] Cell cell(const Sweep& sweep, std::uint64_t k);
+[[nodiscard]] std::uint64_t trial_number(const Sweep& sweep, const Cell& cell);
+
+/// The seed that all controllers and robots share on a terrain: the listed one, or 48 bits from
+/// (master seed, terrain's name, seed index), so that further terrains or seeds move no other.
+[[nodiscard]] std::uint64_t seed(const Sweep& sweep, const Cell& cell);
+
+/// What trial k simulates.
+[[nodiscard]] TrialConfig trial(const Sweep& sweep, std::uint64_t k);
+
+/// Header of trials.csv, and the row of trial k, which is run for it; without line ends.
+[[nodiscard]] std::string header(const Sweep& sweep);
+[[nodiscard]] std::string row(const Sweep& sweep, std::uint64_t k);
+
+/// A part of a sweep for one of several machines: every count-th group of trials that share robot,
+/// terrain and seed, from group index on. Within a shard trials have positions 0, 1, ….
+struct Shard {
+  std::uint64_t index = 0;  ///< 0 … count − 1; on the command line 1 … count
+  std::uint64_t count = 1;
+
+  friend bool operator==(const Shard&, const Shard&) = default;
+};
+
+/// Number of trials of a shard.
+[[nodiscard]] std::uint64_t num_trials(const Sweep& sweep, const Shard& shard);
+
+/// Number of the trial at a position of a shard, in rising order.
+[[nodiscard]] std::uint64_t trial_at(const Sweep& sweep, const Shard& shard,
+                                     std::uint64_t position);
+
+/// Finds the URDF of a robot by its name or path. @throws InvalidInput
+using RobotFinder = std::function<std::string(const std::string& robot)>;
+
+/// Reads a sweep file: see docs/sweeps.md.
+/// @throws InvalidInput  with everything that is wrong, each with file, line and column
+[[nodiscard]] Sweep load_sweep(const std::string& path, const RobotFinder& robot_file);
+
+}  // namespace hexagait::sweep
