@@ -177,7 +177,7 @@ TEST_F(Cli, HelpsWithExamples) {
 }
 
 TEST_F(Cli, PrintsOneJsonObjectWithEveryResult) {
-  const Result result = run("walk --seconds 2 --radius 3 --json");
+  const Result result = run("walk --seconds 2 --radius 3 --json --quiet");
   EXPECT_EQ(result.status, 0);
   EXPECT_THAT(result.err, IsEmpty());
   const auto json = nlohmann::json::parse(result.out);
