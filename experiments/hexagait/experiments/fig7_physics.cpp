@@ -262,8 +262,9 @@ void draw(StagedFiles& files) {
   std::ofstream script = files.create("fig7_physics.gp");
   script
       << figure_preamble("fig7_physics.svg", 1400, 640)
-      << "headline = 'Genghis in physics: slower on rougher ground, and the free gait about as "
-         "fast as the tripod controller'\n"
+      << "headline = 'Genghis in physics: slower on rougher ground, the free gait a little behind "
+         "the "
+         "tripod controller'\n"
       << "subtitle = '20 random postures and grounds, 60 s each, the same for every gait · bars: "
          "95 % confidence intervals · after [PC04] Fig. 7'\n"
       << "means = 'fig7_physics-means.csv'; trials = 'fig7_physics-trials.csv'\n"

@@ -33,7 +33,7 @@ struct StepperParams {
 };
 
 struct StepperInput {
-  double time = 0.0;   ///< any unit, the same always; never decreases
+  double time = 0.0;  ///< any unit, the same always; never decreases
   /// Legs that do not stand: from the update after the one that lifted them, even if their feet
   /// are still being unloaded, until they bear load again. Else a step would seem to end at once.
   LegSet airborne;
