@@ -52,7 +52,8 @@ std::string Progress::line(double done, double wall) const {
   if (measure_ == Measure::simulated_seconds)
     text += fmt::format("  {:.1f} of {:.1f} s simulated, {:.1f} × real time", done, whole_, rate);
   if (measure_ == Measure::trials)
-    text += fmt::format("  {:.0f} of {:.0f} trials, {:.{}f} per second", done, whole_, rate, rate < 10.0 ? 2 : 0);
+    text += fmt::format("  {:.0f} of {:.0f} trials, {:.{}f} per second", done, whole_, rate,
+                        rate < 10.0 ? 2 : 0);
   return text + fmt::format(", {:.0f} s left", left);
 }
 

@@ -177,12 +177,14 @@ TEST_F(SweepCli, NamesTheSeedThatWalksTheSameWalkAgain) {
   std::istringstream cells(row);
   std::string seed;
   for (int i = 0; i < 6; ++i) std::getline(cells, seed, ',');
-  const Result walk = run("walk --gait wave:0.75 --terrain boxes:0.1 --random-posture 0.05 " +
-                          ("--seconds 2 --json --seed " + seed));
+  const Result walk =
+      run("walk --gait wave:0.75 --terrain boxes:0.1 --random-posture 0.05 "
+          "--seconds 2 --json --seed " +
+          seed);
   EXPECT_EQ(nlohmann::json::parse(walk.out)["state_hash"], row.substr(row.rfind(',') + 1));
 }
 
-TEST_F(SweepCli, ReportsWith ATableAndAFigure) {
+TEST_F(SweepCli, ReportsWithATableAndAFigure) {
   EXPECT_EQ(run("sweep sweep.yaml --out a").status, 0);
   const Result words = run("report a");
   EXPECT_EQ(words.status, 0);

@@ -315,7 +315,8 @@ Outcome wave_family(const ExperimentContext& context, StagedFiles& files) {
   const walk::Summary summary = simulate(*context.robot, simulation, observe, context.stop);
   for (Segment& segment : parts) measure(segment, recording);
   draw(files, parts, recording, *context.robot);
-  return {.walk = WalkReport{context.robot->name, simulation, summary}, .verdicts = judge(parts, summary)};
+  return {.walk = WalkReport{context.robot->name, simulation, summary},
+          .verdicts = judge(parts, summary)};
 }
 
 }  // namespace hexagait::experiments

@@ -21,7 +21,8 @@
 /// keeps, and no delay lasts longer than a period.
 ///
 /// **Tripod**: waits until all legs stand, then lifts the two tripods in turn, whatever the gait
-/// state ([PC04] 5.1), unless nobody may step: then the robot is to stand. What the free gait is compared with.
+/// state ([PC04] 5.1), unless nobody may step: then the robot is to stand. What the free gait is
+/// compared with.
 namespace hexagait::gait_state {
 
 enum class Stepping : std::uint8_t { free, wave, tripod };

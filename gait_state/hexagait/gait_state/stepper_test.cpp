@@ -106,12 +106,21 @@ TEST(StepTime, IsMeasuredFromLiftToLanding) {
 TEST(TripodStepping, LiftsTheTripodsInTurnWhenAllStandWhateverTheGaitState) {
   Stepper stepper(6, kStep);
   const StepperParams tripod{.stepping = Stepping::tripod};
-  EXPECT_EQ(ask(stepper, 0.0, LegSet(), tripod), first_tripod(6));
+  const LegSet may_step = legs({1});  // somebody may whenever all stand
+  EXPECT_EQ(ask(stepper, 0.0, may_step, tripod), first_tripod(6));
   for (const LegSet air : {first_tripod(6), legs({3})})
-    EXPECT_EQ(stepper.update({.time = 1.0, .airborne = air, .may_step = legs({1})}, tripod),
+    EXPECT_EQ(stepper.update({.time = 1.0, .airborne = air, .may_step = may_step}, tripod),
               LegSet());
-  EXPECT_EQ(ask(stepper, 2.0, LegSet(), tripod), second_tripod(6));
-  EXPECT_EQ(ask(stepper, 4.0, LegSet(), tripod), first_tripod(6));
+  EXPECT_EQ(ask(stepper, 2.0, may_step, tripod), second_tripod(6));
+  EXPECT_EQ(ask(stepper, 4.0, may_step, tripod), first_tripod(6));
+}
+
+// A robot that is told to stand hands over an empty set.
+TEST(TripodStepping, StaysDownWhileNobodyMayStepAndThenGoesOnInTurn) {
+  Stepper stepper(6, kStep);
+  const StepperParams tripod{.stepping = Stepping::tripod};
+  EXPECT_EQ(ask(stepper, 0.0, LegSet(), tripod), LegSet());
+  EXPECT_EQ(ask(stepper, 1.0, legs({1}), tripod), first_tripod(6));
 }
 
 TEST(HindmostEdge, IsBetweenTheLastLegs) {
