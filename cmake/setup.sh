@@ -11,7 +11,7 @@ kBuildPackages=(
   libboost-math-dev libcli11-dev nlohmann-json3-dev gnuplot-nox  # the hexagait command
   libbenchmark-dev libgmock-dev libgtest-dev liborocos-kdl-dev  # benchmarks and tests
 )
-kCheckPackages=(clang clang-format clang-tidy universal-ctags)
+kCheckPackages=(clang clang-format clang-tidy libclang-rt-14-dev universal-ctags)
 
 export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1  # one clone finds what another has compiled
 

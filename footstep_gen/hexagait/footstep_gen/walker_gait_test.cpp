@@ -36,6 +36,7 @@ WalkerParams params_of(Stepping stepping, double duty_factor = 0.5,
 
 /// A walker in the kinematic world, and the steps of each leg.
 struct Walk {
+  RobotModel model;  // which must outlive the walker
   int n;
   Walker walker;
   testing::KinematicPlant plant;
@@ -44,8 +45,9 @@ struct Walk {
   LegArray<double> landed_lag, sweep;  ///< of the last stance [m of path]
   double time = 0.0;
 
-  Walk(const RobotModel& model, const WalkerParams& params, std::uint32_t trial = 0)
-      : n(model.num_legs()),
+  Walk(const RobotModel& robot, const WalkerParams& params, std::uint32_t trial = 0)
+      : model(robot),
+        n(model.num_legs()),
         walker(model, params),
         plant(model, 0.7, {.seed = 21, .stream = RandomStream::posture, .trial = trial}),
         steps(static_cast<std::size_t>(n), std::vector<Step>(1)),
