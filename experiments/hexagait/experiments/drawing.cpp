@@ -72,7 +72,7 @@ void Drawing::arrow(const std::vector<Vector2>& points, const std::string& colou
                         plots_.empty() ? "plot " : ", \\\n     ", name, line_width, colour);
 
   // The head: a triangle along the last piece.
-  const Vector2 tip = points.back();
+  const Vector2& tip = points.back();
   const Vector2 along = (tip - points[points.size() - 2]).normalized();
   const Vector2 across(-along.y(), along.x());
   const Vector2 a = tip - kHead * along + 0.36 * kHead * across;

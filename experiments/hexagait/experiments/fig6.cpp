@@ -43,7 +43,7 @@ Walk walk(const std::string& gait, std::uint32_t trial) {
                       walk.most_lifts = std::max(walk.most_lifts, record.airborne.size());
                     });
   for (int slice = kShown / 2; slice < kShown; ++slice)
-    walk.mean += walk.advance[static_cast<std::size_t>(slice)] / (kShown / 2);
+    walk.mean += walk.advance[static_cast<std::size_t>(slice)] / (0.5 * kShown);
   return walk;
 }
 

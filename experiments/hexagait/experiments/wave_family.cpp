@@ -58,7 +58,8 @@ walk::Schedule schedule(const std::vector<Segment>& segments) {
 // rear forwards, one step time apart; the sides half a period apart.
 double due_phase(LegId leg, double duty_factor) {
   const double side = leg % 2 == 1 ? 0.0 : 0.5;
-  return side + (2 - leg / 2) * (1.0 - duty_factor);
+  const int pairs_behind = 2 - leg / 2;
+  return side + pairs_behind * (1.0 - duty_factor);
 }
 
 // Between −1/2 and 1/2.

@@ -80,7 +80,7 @@ void serve(int requests, int answers, const WorkerPool::Work& work) {
 
 }  // namespace
 
-WorkerPool::WorkerPool(int jobs, Work work) {
+WorkerPool::WorkerPool(int jobs, const Work& work) {
   std::fflush(nullptr);  // or the children would print it again
   for (int job = 0; job < jobs; ++job) workers_.push_back(spawn(work));
 }

@@ -35,7 +35,7 @@ class WorkerPool {
   using Work = std::function<std::string(std::uint64_t position)>;
 
   /// @throws std::runtime_error  if the system has no more processes
-  WorkerPool(int jobs, Work work);
+  WorkerPool(int jobs, const Work& work);
   ~WorkerPool();  ///< ends the workers, whatever they do
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;

@@ -281,7 +281,7 @@ Vector2 GenghisController::advance_velocity(LegId i) noexcept {
 
 // No ground within reach. It is presumed to be lower, and the body comes down as a reaction; if
 // that does not help in time, a foothold nearer to the body is tried.
-void GenghisController::search(GenghisLeg& leg, double floor) noexcept {
+void GenghisController::search(GenghisLeg& leg, double floor) const noexcept {
   leg.print.y() = floor - params_.presumed_drop;
   leg.clock += params_.control_dt;
   if (leg.clock < params_.patience) return;

@@ -124,7 +124,7 @@ class GenghisController {
   void lift(LegId leg) noexcept;
   [[nodiscard]] Vector2 swing_velocity(LegId leg) noexcept;
   [[nodiscard]] Vector2 advance_velocity(LegId leg) noexcept;
-  void search(GenghisLeg& leg, double floor) noexcept;
+  void search(GenghisLeg& leg, double floor) const noexcept;
 
   GenghisModel model_;
   GenghisParams params_;

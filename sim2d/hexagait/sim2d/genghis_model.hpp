@@ -58,7 +58,8 @@ inline constexpr int kGenghisLegs = 6;
 
 /// Workspace centre in the body frame [m].
 [[nodiscard]] inline Vector2 centre(const GenghisModel& model, LegId leg) {
-  return hip(model, leg) + Vector2(model.splay * (1 - leg / 2), -model.stance_height);
+  const int pairs_ahead = 1 - leg / 2;  // of the middle
+  return hip(model, leg) + Vector2(model.splay * pairs_ahead, -model.stance_height);
 }
 
 /// Foot centre in the body frame [m].
