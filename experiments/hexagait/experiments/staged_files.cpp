@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <hexagait/core/fnv1a.hpp>
 #include <hexagait/core/robot_model.hpp>
 #include <hexagait/experiments/staged_files.hpp>
 #include <iterator>
@@ -55,11 +56,9 @@ std::ofstream StagedFiles::create(const std::string& name) {
 
 std::uint64_t StagedFiles::hash(const std::string& name) const {
   std::ifstream file(staging_ / name, std::ios::binary);
-  std::uint64_t hash = 14695981039346656037ULL;
-  for (std::istreambuf_iterator<char> byte(file), end; byte != end; ++byte) {
-    hash ^= static_cast<unsigned char>(*byte);
-    hash *= 1099511628211ULL;
-  }
+  std::uint64_t hash = kFnv1aBasis;
+  for (std::istreambuf_iterator<char> byte(file), end; byte != end; ++byte)
+    hash = fnv1a(static_cast<unsigned char>(*byte), hash);
   return hash;
 }
 

@@ -9,8 +9,8 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <hexagait/core/fnv1a.hpp>
 #include <hexagait/core/robot_model.hpp>
-#include <hexagait/sweep/checksum.hpp>
 #include <hexagait/sweep/journal.hpp>
 
 namespace hexagait::sweep {

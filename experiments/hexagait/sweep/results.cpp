@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <hexagait/core/fnv1a.hpp>
 #include <hexagait/experiments/staged_files.hpp>
-#include <hexagait/sweep/checksum.hpp>
 #include <hexagait/sweep/journal.hpp>
 #include <hexagait/sweep/results.hpp>
 #include <hexagait/sweep/title.hpp>

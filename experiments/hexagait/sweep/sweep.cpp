@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <hexagait/core/fnv1a.hpp>
 #include <hexagait/core/random.hpp>
-#include <hexagait/sweep/checksum.hpp>
 #include <hexagait/sweep/sweep.hpp>
 
 namespace hexagait::sweep {

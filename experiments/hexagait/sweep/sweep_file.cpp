@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <hexagait/sweep/checksum.hpp>
+#include <hexagait/core/fnv1a.hpp>
 #include <hexagait/sweep/spelling.hpp>
 #include <hexagait/sweep/sweep.hpp>
 #include <iterator>

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <ctime>
+#include <hexagait/core/fnv1a.hpp>
 #include <hexagait/core/random.hpp>
 #include <hexagait/core/violations.hpp>
 #include <hexagait/gait_state/ring.hpp>
@@ -51,7 +52,7 @@ class Judge {
         start_(truth.p_WB.x()),
         lifted_at_(kGenghisLegs, 0.0) {
     summary_.height_min = summary_.height_max = truth.p_WB.y();
-    summary_.state_hash = 14695981039346656037ULL;
+    summary_.state_hash = kFnv1aBasis;
     for (const GenghisFoot& foot : truth.feet) slip_before_ += foot.slip_path;
   }
 
@@ -116,11 +117,7 @@ class Judge {
 
   void hash(const GenghisRecord& record, const GenghisTruth& truth) {
     const auto add = [this](double value) {
-      const auto bits = std::bit_cast<std::uint64_t>(value);
-      for (int shift = 0; shift < 64; shift += 8) {
-        summary_.state_hash ^= (bits >> shift) & 0xffU;
-        summary_.state_hash *= 1099511628211ULL;
-      }
+      summary_.state_hash = fnv1a(std::bit_cast<std::uint64_t>(value), summary_.state_hash);
     };
     for (const double value : {truth.p_WB.x(), truth.p_WB.y(), truth.pitch}) add(value);
     for (const GenghisJoints& q : record.measurement.q) {

@@ -2,58 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
 #include <hexagait/sim2d/genghis_controller.hpp>
-#include <new>
-
-// Counts what anyone takes from operator new or gives back.
-
-namespace {
-
-std::atomic<long> allocations = 0, deallocations = 0;
-
-void* counted(std::size_t size) {
-  ++allocations;
-  return std::malloc(size);
-}
-
-}  // namespace
-
-// Not inlined: GCC would see free() meet operator new, and warn.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  if (void* block = counted(size)) return block;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  return counted(size);
-}
-[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t align) {
-  ++allocations;
-  const auto alignment = static_cast<std::size_t>(align);
-  if (void* block = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment))
-    return block;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* block) noexcept {
-  ++deallocations;
-  std::free(block);
-}
-[[gnu::noinline]] void operator delete(void* block, std::size_t) noexcept {
-  ++deallocations;
-  std::free(block);
-}
-[[gnu::noinline]] void operator delete(void* block, std::align_val_t) noexcept {
-  ++deallocations;
-  std::free(block);
-}
-[[gnu::noinline]] void operator delete(void* block, std::size_t, std::align_val_t) noexcept {
-  ++deallocations;
-  std::free(block);
-}
+#include <testing/counted_allocations.hpp>
 
 namespace hexagait::sim2d {
 namespace {
+
+using hexagait::testing::allocations;
+using hexagait::testing::deallocations;
 
 TEST(Counter, SeesAnAllocation) {
   const long before = allocations;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <bit>
+#include <hexagait/core/fnv1a.hpp>
 #include <hexagait/core/random.hpp>
 #include <hexagait/sim2d/slice_model.hpp>
 #include <limits>
@@ -15,15 +16,6 @@ constexpr double kTie = 1.0;        // lags that differ by no more are tied: 2 %
 constexpr double kClearance = 5.0;  // a foot is raised so far above the body's level
 constexpr double kContact = 0.5;    // half of what a foot descends in a slice
 constexpr int kTripods = 6;         // in a row make a tripod gait
-constexpr std::uint64_t kFnvBasis = 14695981039346656037ULL;
-constexpr std::uint64_t kFnvPrime = 1099511628211ULL;
-
-template <class Word>
-void add_to_hash(std::uint64_t& hash, Word word) {
-  for (std::size_t byte = 0; byte < sizeof word; ++byte) {
-    hash = (hash ^ (static_cast<std::uint64_t>(word) >> (8 * byte) & 0xFFU)) * kFnvPrime;
-  }
-}
 
 LegArray<double> random_posture(int num_legs, const SliceSeed& seed) {
   RandomSequence random{.seed = seed.seed, .stream = RandomStream::posture, .trial = seed.trial};
@@ -53,7 +45,7 @@ SliceRobot::SliceRobot(const SliceConfig& config, const SliceSeed& seed,
       lifts_(foot.size(), 0),
       landings_(foot.size(), 0),
       air_time_(foot.size(), 0),
-      hash_(kFnvBasis) {
+      hash_(kFnv1aBasis) {
   if (config.terrain.kind != Kind::profile) return;
   for (LegId leg = 0; leg < foot.size(); ++leg) {
     cell_[leg] = cell_at(config.terrain, foot[leg]);
@@ -94,8 +86,8 @@ void SliceRobot::lift(LegSet legs) {
   }
   airborne_ = airborne_ | legs;
   watch_tripods(legs);
-  add_to_hash(hash_, static_cast<std::uint32_t>(slice_));
-  add_to_hash(hash_, static_cast<std::uint16_t>(legs.bits()));
+  hash_ = fnv1a(static_cast<std::uint32_t>(slice_), hash_);
+  hash_ = fnv1a(static_cast<std::uint16_t>(legs.bits()), hash_);
 }
 
 // (slice 1)
@@ -165,10 +157,10 @@ SliceSummary SliceRobot::summary() const {
     landings += landings_[leg];
     air_time += air_time_[leg];
     if (!airborne_.contains(leg)) s.sweep = std::max(s.sweep, stance_from_[leg] - foot_[leg]);
-    add_to_hash(s.hash, std::bit_cast<std::uint64_t>(foot_[leg]));
+    s.hash = fnv1a(std::bit_cast<std::uint64_t>(foot_[leg]), s.hash);
   }
-  add_to_hash(s.hash, static_cast<std::uint16_t>(airborne_.bits()));
-  add_to_hash(s.hash, std::bit_cast<std::uint64_t>(position_));
+  s.hash = fnv1a(static_cast<std::uint16_t>(airborne_.bits()), s.hash);
+  s.hash = fnv1a(std::bit_cast<std::uint64_t>(position_), s.hash);
   if (s.lifts > 0) s.sweep_mean = swept_ / s.lifts;
   if (landings > 0) s.step_time = static_cast<double>(air_time) / landings;
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <hexagait/core/height.hpp>
 #include <hexagait/core/random.hpp>
 #include <hexagait/core/robot_model.hpp>
 #include <hexagait/sim2d/terrain2d.hpp>
@@ -23,12 +24,6 @@ struct Name {
 constexpr std::array<Name, 3> kNames = {
     {{"rough", Kind::rough}, {"step", Kind::step}, {"steps", Kind::steps}}};
 
-struct Unit {
-  std::string_view name;
-  double metres;
-};
-constexpr std::array<Unit, 4> kUnits = {{{"", 1.0}, {"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}}};
-
 [[noreturn]] void refuse(std::string_view text, const std::string& reason) {
   std::string message = "terrain \"";
   message.append(text).append("\": ").append(reason).append("; known terrains of the side view:");
@@ -37,21 +32,10 @@ constexpr std::array<Unit, 4> kUnits = {{{"", 1.0}, {"m", 1.0}, {"cm", 0.01}, {"
   throw InvalidInput(message + ", with H a height such as 0.05 or 5cm");
 }
 
-double parse_height(std::string_view text, std::string_view height) {
-  double value = 0.0;
-  const char* const end = height.data() + height.size();
-  const auto [rest, error] = std::from_chars(height.data(), end, value);
-  if (error != std::errc{}) refuse(text, "\"" + std::string(height) + "\" is not a height");
-
-  const std::string_view unit(rest, static_cast<std::size_t>(end - rest));
-  for (const Unit& known : kUnits) {
-    if (known.name != unit) continue;
-    const double metres = value * known.metres;
-    if (!std::isfinite(metres)) refuse(text, "the height must be finite");
-    if (metres < 0.0) refuse(text, "the height must not be negative");
-    return metres;
-  }
-  refuse(text, "unknown unit \"" + std::string(unit) + "\", it should be m, cm or mm");
+double height_of(std::string_view text, std::string_view height) {
+  const ParsedHeight parsed = parse_height(height);
+  if (!parsed.problem.empty()) refuse(text, parsed.problem);
+  return parsed.metres;
 }
 
 }  // namespace
@@ -72,7 +56,7 @@ TerrainSpec2d parse_terrain2d(std::string_view text) {
   for (const Name& name : kNames) {
     if (name.word != text.substr(0, colon)) continue;
     if (colon == std::string_view::npos) refuse(text, "the height is missing");
-    return {name.kind, parse_height(text, text.substr(colon + 1))};
+    return {name.kind, height_of(text, text.substr(colon + 1))};
   }
   refuse(text, "unknown kind");
 }

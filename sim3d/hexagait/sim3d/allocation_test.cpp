@@ -3,38 +3,15 @@
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 
-#include <atomic>
-#include <cstdlib>
 #include <hexagait/core/kinematics.hpp>
 #include <hexagait/sim3d/world.hpp>
-#include <new>
-
-// Counts what ODE takes from its allocator and what anyone takes from operator new.
-
-namespace {
-
-std::atomic<long> allocations = 0;
-
-void* counted(std::size_t size) {
-  ++allocations;
-  return std::malloc(size);
-}
-
-}  // namespace
-
-// Not inlined: GCC would see free() meet operator new, and warn.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  if (void* block = counted(size)) return block;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  return counted(size);
-}
-[[gnu::noinline]] void operator delete(void* block) noexcept { std::free(block); }
-[[gnu::noinline]] void operator delete(void* block, std::size_t) noexcept { std::free(block); }
+#include <testing/counted_allocations.hpp>
 
 namespace hexagait::sim3d {
 namespace {
+
+// What ODE takes from its allocator, and anyone from operator new.
+using hexagait::testing::allocations;
 
 TEST(World, AllocatesNothingOnceItHasMadeItsFirstContacts) {
   const RobotModel robot = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
@@ -42,7 +19,7 @@ TEST(World, AllocatesNothingOnceItHasMadeItsFirstContacts) {
   for (LegId leg = 0; leg < 6; ++leg) {
     q[leg] = inverse_kinematics(robot.legs[leg], robot.legs[leg].p_BC).q;
   }
-  dSetAllocHandler(&counted);
+  dSetAllocHandler(&testing::counted_malloc);
   for (const char* terrain : {"flat", "boxes:0.05"}) {
     World world(robot, parse_terrain(terrain), {}, q);
     JointTargets targets{q, LegArray<LegJoints>(6, Vector3::Zero()),

@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <hexagait/core/height.hpp>
 #include <hexagait/core/random.hpp>
 #include <hexagait/core/robot_model.hpp>
 #include <hexagait/sim3d/terrain.hpp>
@@ -11,12 +12,6 @@ namespace hexagait::sim3d {
 namespace {
 
 constexpr int kPadCells = 2;  // the start pad covers cells −2 … 1 of both axes
-
-struct Unit {
-  std::string_view name;
-  double metres;
-};
-constexpr std::array<Unit, 4> kUnits = {{{"", 1.0}, {"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}}};
 
 [[noreturn]] void refuse(std::string_view text, const std::string& reason) {
   std::string message = "terrain \"";
@@ -27,21 +22,10 @@ constexpr std::array<Unit, 4> kUnits = {{{"", 1.0}, {"m", 1.0}, {"cm", 0.01}, {"
   throw InvalidInput(message + ", with H a height such as 0.10 or 10cm");
 }
 
-double parse_height(std::string_view text, std::string_view height) {
-  double value = 0.0;
-  const char* const end = height.data() + height.size();
-  const auto [rest, error] = std::from_chars(height.data(), end, value);
-  if (error != std::errc{}) refuse(text, "\"" + std::string(height) + "\" is not a height");
-
-  const std::string_view unit(rest, static_cast<std::size_t>(end - rest));
-  for (const Unit& known : kUnits) {
-    if (known.name != unit) continue;
-    const double metres = value * known.metres;
-    if (!std::isfinite(metres)) refuse(text, "the height must be finite");
-    if (metres < 0.0) refuse(text, "the height must not be negative");
-    return metres;
-  }
-  refuse(text, "unknown unit \"" + std::string(unit) + "\", it should be m, cm or mm");
+double height_of(std::string_view text, std::string_view height) {
+  const ParsedHeight parsed = parse_height(height);
+  if (!parsed.problem.empty()) refuse(text, parsed.problem);
+  return parsed.metres;
 }
 
 int floor_divide(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
@@ -66,7 +50,7 @@ TerrainSpec parse_terrain(std::string_view text) {
 
   TerrainSpec spec;
   spec.kind = kind == "boxes" ? TerrainSpec::Kind::boxes : TerrainSpec::Kind::steps;
-  spec.height = parse_height(text, text.substr(colon + 1));
+  spec.height = height_of(text, text.substr(colon + 1));
   return spec;
 }
 

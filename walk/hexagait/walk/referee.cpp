@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <hexagait/core/fnv1a.hpp>
 #include <hexagait/core/support_polygon.hpp>
 #include <hexagait/gait_state/ring.hpp>
 #include <hexagait/walk/referee.hpp>
@@ -46,7 +47,7 @@ Referee::Referee(const RobotModel& model, const GroundTruth& truth, double contr
   for (LegId i = 0; i < model.num_legs(); ++i)
     stances_[i] = {.counting = true, .slip_before = truth.feet[i].slip};
   summary_.height_min = summary_.height_max = truth.X_WB.p.z();
-  summary_.state_hash = 14695981039346656037ULL;
+  summary_.state_hash = kFnv1aBasis;
 }
 
 void Referee::observe(const TickRecord& record, const GroundTruth& truth) {
@@ -142,11 +143,7 @@ void Referee::watch_progress(const TickRecord& record) {
 
 void Referee::hash(const TickRecord& record, const GroundTruth& truth) {
   const auto add = [this](double value) {
-    const auto bits = std::bit_cast<std::uint64_t>(value);
-    for (int shift = 0; shift < 64; shift += 8) {
-      summary_.state_hash ^= (bits >> shift) & 0xffU;
-      summary_.state_hash *= 1099511628211ULL;
-    }
+    summary_.state_hash = fnv1a(std::bit_cast<std::uint64_t>(value), summary_.state_hash);
   };
   for (int k = 0; k < 3; ++k) add(truth.X_WB.p[k]);
   for (int k = 0; k < 9; ++k) add(truth.X_WB.R(k / 3, k % 3));
