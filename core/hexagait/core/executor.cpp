@@ -6,6 +6,12 @@
 #include <limits>
 
 namespace hexagait {
+namespace {
+
+// Time in which the effort of a plan reaches the joint's limit, at most [s].
+constexpr double kEffortRamp = 0.1;
+
+}  // namespace
 
 Executor::Executor(const RobotModel& model, const ExecutorParams& params)
     : model_(&model),
@@ -13,9 +19,11 @@ Executor::Executor(const RobotModel& model, const ExecutorParams& params)
       legs_(model.num_legs()),
       trig_(model.num_legs()),
       last_change_(model.num_legs(), LegJoints::Zero()),
-      reachable_(model.num_legs(), true) {
+      reachable_(model.num_legs(), true),
+      plans_(model.num_legs()),
+      planned_effort_(model.num_legs(), LegJoints::Zero()) {
   const LegArray<LegJoints> zero(model.num_legs(), LegJoints::Zero());
-  targets_ = {zero, zero, zero};
+  targets_ = {zero, zero, zero, LegArray<ControlMode>(model.num_legs(), ControlMode::position)};
 }
 
 void Executor::reset(const RobotState& state) {
@@ -31,23 +39,76 @@ void Executor::command(const Footstep& step, const RobotState& state) noexcept {
   hexagait::command(legs_[step.leg], step, state.X_OB);
 }
 
+void Executor::reserve(int foot_knots, int joint_knots, int base_knots) {
+  for (LegPlan& plan : plans_) {
+    plan.foot.reserve(foot_knots);
+    plan.joints.reserve(joint_knots);
+  }
+  base_plan_.curve.reserve(base_knots);
+}
+
+void Executor::command(LegId leg, const LegPlan& plan, const RobotState& state,
+                       double begin) noexcept {
+  plans_[leg] = plan;
+  hexagait::command(legs_[leg], plans_[leg], state.X_OB);
+  if (legs_[leg].phase == LegPhase::follow) legs_[leg].time = begin;
+}
+
+void Executor::command(const BasePlan& plan, double begin) noexcept {
+  base_plan_ = plan;
+  base_time_ = begin;
+  base_follows_ = true;
+}
+
+void Executor::interrupt_base() noexcept {
+  base_follows_ = false;
+  base_command_ = {};
+}
+
 const JointTargets& Executor::advance(const RobotState& state, double dt) noexcept {
-  // The base: where should it go, and how fast can it?
+  move_base(state, dt);          // where should it go, and how fast can it?
+  carry_with_ground(state, dt);  // and with it all feet that stand
+  move_legs(state, dt);          // what each does over the ground
+  set_joints(state, dt);
+  set_efforts(state, dt);
+  return targets_;
+}
+
+void Executor::move_base(const RobotState& state, double dt) noexcept {
+  if (base_follows_) return follow_base(state, dt);
   base_goal_ = base_command_.adaptation
                    ? base_command_.adaptation(base_command_, pose_adaptation_input(state))
                    : BaseGoal{};
   hexagait::advance(base_, base_command_, base_goal_, dt, params_.base);
-  carry_with_ground(state, dt);
+}
 
-  // The legs: what each does over the ground.
+// The twist of the plan, and back to it where odometry sees the base beside it.
+void Executor::follow_base(const RobotState& state, double dt) noexcept {
+  const double begin = base_time_, end = base_plan_.curve.duration();
+  base_time_ = std::min(begin + rate_ * dt, end);
+  const BaseState now = base_plan_.curve.at(begin);
+  const BaseState middle = base_plan_.curve.at(0.5 * (begin + base_time_));
+  const double share = (base_time_ - begin) / dt;
+
+  const Matrix3 R_BD = state.X_OB.R.transpose() * now.X.R;
+  const BaseParams& p = params_.base;
+  Vector3 v = p.correction_rate * (state.X_OB.R.transpose() * (now.X.p - state.X_OB.p));
+  Vector3 w = p.correction_rate * rotation_vector(R_BD);
+  if (v.norm() > p.correction_speed) v *= p.correction_speed / v.norm();
+  if (w.norm() > p.correction_turn) w *= p.correction_turn / w.norm();
+  v += share * (R_BD * middle.V_B.v);
+  w += share * (R_BD * middle.V_B.w);
+  base_ = {{v.head<2>(), w.z()}, v.z(), w.x(), w.y()};
+}
+
+void Executor::move_legs(const RobotState& state, double dt) noexcept {
   for (LegId i = 0; i < legs_.size(); ++i) {
     const LegSensed sensed{state.contact[i], (state.p_BF[i] - legs_[i].p_BF).norm(), reachable_[i]};
-    hexagait::advance(legs_[i], sensed, state.X_OB, dt, params_.swing);
+    if (legs_[i].phase == LegPhase::follow)
+      follow(legs_[i], plans_[i], sensed, state.X_OB, dt, rate_, params_.swing);
+    else
+      hexagait::advance(legs_[i], sensed, state.X_OB, dt, params_.swing);
   }
-
-  set_joints(dt);
-  set_efforts(state);
-  return targets_;
 }
 
 void Executor::hold() noexcept {
@@ -99,6 +160,7 @@ void Executor::carry_with_ground(const RobotState& state, double dt) noexcept {
   const Vector3 turn = V.w * dt;
   const Vector3 roll_arm = model_->foot_radius * state.X_OB.R.row(2).transpose();
   for (LegId i = 0; i < legs_.size(); ++i) {
+    if (!legs_[i].with_ground()) continue;
     Vector3& p = legs_[i].p_BF;
     const Vector3 shift = -(V.v * dt + turn.cross(p));
     p += shift - 0.5 * turn.cross(shift);
@@ -107,19 +169,53 @@ void Executor::carry_with_ground(const RobotState& state, double dt) noexcept {
   }
 }
 
-void Executor::set_joints(double dt) noexcept {
+// The joints lead and the foot follows.
+bool Executor::led_by_joints(LegId leg) const noexcept {
+  const LegPhase phase = legs_[leg].phase;
+  return plans_[leg].kind == LegPlan::Kind::joints &&
+         (phase == LegPhase::follow || phase == LegPhase::hold);
+}
+
+// Where the leg's joints should be, and where that puts its foot.
+LegSolution Executor::wanted_joints(LegId leg, const RobotState& state) noexcept {
+  const LegModel& model = model_->legs[leg];
+  const LegLane& lane = legs_[leg];
+  const LegPlan& plan = plans_[leg];
+  if (!led_by_joints(leg)) return inverse_kinematics(model, lane.p_BF);
+  if (lane.phase == LegPhase::hold) return {targets_.q[leg], trig_[leg], true};
+  const LegJoints q = plan.mode == ControlMode::effort ? state.q[leg] : plan.joints.at(lane.time).q;
+  return {q, leg_trig(model, q), true};
+}
+
+void Executor::set_joints(const RobotState& state, double dt) noexcept {
   for (LegId i = 0; i < legs_.size(); ++i) {
-    const LegSolution solution = inverse_kinematics(model_->legs[i], legs_[i].p_BF);
-    last_change_[i] = solution.q - targets_.q[i];
-    targets_.q[i] = solution.q;
-    targets_.qd[i] = last_change_[i] / dt;
-    trig_[i] = solution.trig;
-    reachable_[i] = solution.reachable;
+    const LegModel& leg = model_->legs[i];
+    LegSolution wanted = wanted_joints(i, state);
+    reachable_[i] = wanted.reachable;
+
+    // What asks for more than a servo can do becomes a motion as fast as it can.
+    LegJoints change = wanted.q - targets_.q[i];
+    bool limited = false;
+    for (int k = 0; k < 3; ++k) {
+      const double most = leg.limits[static_cast<std::size_t>(k)].velocity * dt;
+      limited = limited || std::abs(change[k]) > most;
+      change[k] = std::clamp(change[k], -most, most);
+    }
+    if (limited) {
+      wanted.q = targets_.q[i] + change;
+      wanted.trig = leg_trig(leg, wanted.q);
+    }
+    last_change_[i] = change;
+    targets_.q[i] = wanted.q;
+    targets_.qd[i] = change / dt;
+    trig_[i] = wanted.trig;
+    if (led_by_joints(i)) legs_[i].p_BF = foot_position(leg, trig_[i]);
+    targets_.mode[i] = legs_[i].phase == LegPhase::follow ? plans_[i].mode : ControlMode::position;
   }
 }
 
 // Each standing foot presses down with its share of the weight: τ = Jᵀ (−F up).
-void Executor::set_efforts(const RobotState& state) noexcept {
+void Executor::set_efforts(const RobotState& state, double dt) noexcept {
   const Vector3 up_B = state.X_OB.R.row(2);
   LegArray<Vector3> p_F(legs_.size());
   LegArray<double> share(legs_.size());
@@ -134,7 +230,26 @@ void Executor::set_efforts(const RobotState& state) noexcept {
     if (force[i] > 0.0)
       targets_.effort[i] =
           foot_jacobian(model_->legs[i], trig_[i]).transpose() * (-force[i] * up_B);
+
+    // What a plan adds comes and goes within kEffortRamp.
+    const LegJoints wish = planned_effort(i, state);
+    if (wish.isZero() && planned_effort_[i].isZero()) continue;
+    for (int k = 0; k < 3; ++k) {
+      const double most =
+          model_->legs[i].limits[static_cast<std::size_t>(k)].effort * dt / kEffortRamp;
+      planned_effort_[i][k] += std::clamp(wish[k] - planned_effort_[i][k], -most, most);
+    }
+    targets_.effort[i] += planned_effort_[i];
   }
+}
+
+LegJoints Executor::planned_effort(LegId leg, const RobotState& state) const noexcept {
+  const LegPlan& plan = plans_[leg];
+  if (legs_[leg].phase != LegPhase::follow) return LegJoints::Zero();
+  if (plan.kind == LegPlan::Kind::joints) return plan.joints.at(legs_[leg].time).effort;
+  if (plan.force_O.isZero()) return LegJoints::Zero();
+  return foot_jacobian(model_->legs[leg], trig_[leg]).transpose() *
+         (state.X_OB.R.transpose() * plan.force_O);
 }
 
 }  // namespace hexagait
