@@ -41,7 +41,7 @@ class FootPlanner {
   }
 
   void operator()(const action::Footstep& step, double duration) {
-    Swing swing;
+    FootSwing swing;
     swing.target = placement_.X_PA * step.target.p;
     swing.profile = step.profile;
     swing.profile_height = step.profile_height;
