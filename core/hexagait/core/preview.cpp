@@ -112,9 +112,10 @@ class Examiner {
 
   void note(Finding::Kind kind, LegId leg, const std::string& text, bool is_error = true) {
     const action::Step& step = action_.steps[static_cast<std::size_t>(step_ - 1)];
-    std::string where = "step " + std::to_string(step_);
-    if (leg >= 0) where += ", " + model_.legs[leg].name;
-    preview_.findings.push_back({kind, is_error, step_, mark_of(step, leg), where + ": " + text});
+    std::string where = "step ";
+    where += std::to_string(step_);
+    if (leg >= 0) where.append(", ").append(model_.legs[leg].name);
+    preview_.findings.push_back({kind, is_error, step_, mark_of(step, leg), where.append(": ").append(text)});
   }
 
   const RobotModel& model_;
@@ -170,10 +171,10 @@ Preview preview(const RobotModel& model, const LegArray<LegJoints>& joints,
 }
 
 std::string in_words(const Finding& finding, const std::string& source) {
-  std::string place = source;
-  if (finding.mark.line > 0)
-    place += ":" + std::to_string(finding.mark.line) + ":" + std::to_string(finding.mark.column);
-  return place + ": " + (finding.is_error ? "error: " : "warning: ") + finding.text;
+  std::string line = source;
+  for (const int number : {finding.mark.line, finding.mark.column})
+    if (number > 0) line.append(":").append(std::to_string(number));
+  return line.append(finding.is_error ? ": error: " : ": warning: ").append(finding.text);
 }
 
 }  // namespace hexagait
