@@ -23,10 +23,15 @@ struct FootSwing {
 /// The motion of a foot over time, in whatever frame its states are given: position, velocity and
 /// acceleration are continuous (C2), also from the start state on.
 ///
-/// Swing: minimum-jerk moves σ from knot to knot of the polygon, per axis (u, sideways, n),
+/// Swing: a polygon through knots. With u along the chord (from s to t, perpendicular to the
+/// normal), n along the normal, both from the start s; b = max(0, t.n), h the profile height:
 ///
-///     p(t) = s + brake₀(t) + Σ_k (way_k − d_k) moves + brake_e(t)
+///     straight   s, t
+///     triangle   s, (½ t.u, b + h), t
+///     square     s, (0, b + h), (t.u, b + h), t
+///     trapezoid  s, (0.1 t.u, h), (½ t.u, t.n + h), (0.9 t.u, t.n + h), t
 ///
+/// Minimum-jerk moves go from knot to knot, per axis; the velocities at both ends come on top.
 /// Where an axis goes on in its direction at a knot it passes with v = min(c s₋, c s₊), s the mean
 /// velocities before and after, c = 1 or, where the axis rests at the other end, 1.875; else it
 /// rests there. A segment then is a σ of non-negative size and two cubic ramps of velocity in the
