@@ -17,7 +17,7 @@ constexpr int kMaxDescents = 4;      // each after one more leg was given up
 constexpr double kConverged = 1e-6;  // step [m], [rad]
 constexpr double kMaxTurn = 0.5;     // of a step [rad]
 constexpr double kDamping = 1e-7;    // of H: keeps what the feet leave open where it is
-constexpr double kNear = 0.1;        // limits farther than this are not looked at [m], [rad]
+constexpr double kNear = 0.15;       // limits farther than this are not looked at [m], [rad]
 constexpr double kFarAway = 1e6;     // feet are clipped here, so that squares stay finite [m]
 
 /// The base by its centre of mass, from where the search began, axes of odom.
@@ -62,8 +62,8 @@ double yaw_of(const Matrix3& R) { return std::atan2(R(1, 0), R(0, 0)); }
 // Turns the base back where it leans over too far.
 Matrix3 upright(const Matrix3& R) {
   const Vector3 z = R.col(2);
+  if (z.z() >= std::cos(kMaxTilt)) return R;
   const double s = std::hypot(z.x(), z.y()), tilt = std::atan2(s, z.z());
-  if (tilt <= kMaxTilt) return R;
   const Vector3 axis = s > 0.0 ? Vector3(z.y() / s, -z.x() / s, 0.0) : Vector3::UnitX();
   return orthonormalised(rotation(axis * (tilt - kMaxTilt)) * R);
 }
@@ -163,24 +163,44 @@ void add_stability(Rows& rows, const Stance& stance, const Iterate& at) {
              edge.bound - edge.normal.dot(at.c.head<2>()), -1);
   }
   const Vector3 up_B = at.R.row(2);
-  const double s = std::hypot(up_B.x(), up_B.y()), room = std::sin(kMaxTilt) - s;
+  const double s = std::sqrt(up_B.x() * up_B.x() + up_B.y() * up_B.y()),
+               room = std::sin(kMaxTilt) - s;
   if (room > 0.3 || s == 0.0) return;
   const Vector3 lean_B(up_B.x() / s, up_B.y() / s, 0.0);
   rows.add((Vector6() << Vector3::Zero(), lean_B.cross(up_B)).finished(), room, -1);
 }
 
+/// Legs that were seen far from all limits, and how far their feet may move until one comes near:
+/// so long they need not be looked at again. Inverse kinematics is most of the work.
+struct Clear {
+  std::array<Vector3, kMaxLegs> f;
+  std::array<double, kMaxLegs> radius{};  ///< [m]
+
+  bool still(LegId leg, const Vector3& now) const {
+    const auto i = static_cast<std::size_t>(leg);
+    return radius[i] > 0.0 && (now - f[i]).squaredNorm() < radius[i] * radius[i];
+  }
+  void note(LegId leg, const Vector3& now, double new_radius) {
+    f[static_cast<std::size_t>(leg)] = now;
+    radius[static_cast<std::size_t>(leg)] = new_radius;
+  }
+};
+
 // What one leg allows: the reach, and yaw and hip, whose change with the foot is the inverse of
 // foot_jacobian()'s, row by row. From where inverse_kinematics() gets to, if that is not the foot.
-void add_leg(Rows& rows, const Stance& stance, const Iterate& at, LegId i) {
+void add_leg(Rows& rows, const Stance& stance, const Iterate& at, LegId i, Clear& clear) {
   const LegModel& leg = stance.model.legs[i];
   const Vector3 f = stance.foot(at, i);
+  if (clear.still(i, f)) return;
+  const int rows_before = rows.program.size;
   const LegSolution solution = inverse_kinematics(leg, f + stance.model.p_BM);
   const LegTrig& t = solution.trig;
   const Vector3 p_H = leg.X_BH.R.transpose() * (f + stance.model.p_BM - leg.X_BH.p);
 
   // The foot in the leg's plane, and beside it.
   const Vector3 out_H(t.c1, t.s1, 0.0), left_H(-t.s1, t.c1, 0.0);
-  const double r = out_H.dot(p_H), a = r - leg.coxa, d = std::hypot(a, p_H.z());
+  const double r = out_H.dot(p_H), a = r - leg.coxa;
+  const double d = std::sqrt(a * a + p_H.z() * p_H.z());
   if (d > 0.0) {
     const Vector3 stretch_B = leg.X_BH.R * ((a / d) * out_H + (p_H.z() / d) * Vector3::UnitZ());
     rows.add_limit(stretch_B, f, leg.max_reach - kReachClearance - d, i);
@@ -202,6 +222,10 @@ void add_leg(Rows& rows, const Stance& stance, const Iterate& at, LegId i) {
   if (std::abs(det) < 1e-9) return;
   const Vector3 turn_H = (-shin_r / det) * out_H + (-shin_h / det) * Vector3::UnitZ();
   add_joint(1, turn_H, (-shin_r * (a - reached_a) - shin_h * (p_H.z() - reached_h)) / det);
+  // No limit is nearer than kNear; half of that, as these rates are those of one place.
+  const double rate = std::max({1.0, 1.0 / std::abs(r), leg.tibia / std::abs(det)});
+  const bool is_clear = solution.reachable && rows.program.size == rows_before;
+  clear.note(i, f, is_clear ? 0.5 * kNear / rate : 0.0);
 }
 
 // Of some legs, the one whose foot is farthest from its place; −1 of none.
@@ -217,7 +241,7 @@ LegId farthest(LegSet legs, const Stance& stance, const Iterate& at) {
 
 // The step to the minimum of the quadratic model, subject to the limits of `legs`. Where these
 // contradict the rest, the limits of one leg after the other are left out of this step.
-Vector6 newton_step(const Stance& stance, const Iterate& at, LegSet legs) {
+Vector6 newton_step(const Stance& stance, const Iterate& at, LegSet legs, Clear& clear) {
   PoseProgram program;
   Rows rows{program};
   set_objective(program, stance, at, true);
@@ -225,7 +249,7 @@ Vector6 newton_step(const Stance& stance, const Iterate& at, LegSet legs) {
   const int stability = program.size;
   for (int trial = 0; trial <= kMaxLegs; ++trial) {
     program.size = stability;
-    for_each(legs, [&](LegId i) { add_leg(rows, stance, at, i); });
+    for_each(legs, [&](LegId i) { add_leg(rows, stance, at, i, clear); });
     QpSolution<6, 6> solution = solve(program);
     if (solution.status == QpStatus::not_convex) {
       set_objective(program, stance, at, false);
@@ -247,9 +271,9 @@ Iterate stepped(const Iterate& at, const Vector6& step) {
 }
 
 // From a start to the minimum; counts its iterations.
-Iterate descend(const Stance& stance, Iterate at, LegSet legs, int& iterations) {
+Iterate descend(const Stance& stance, Iterate at, LegSet legs, Clear& clear, int& iterations) {
   for (int k = 0; k < kMaxIterations; ++k) {
-    const Vector6 step = newton_step(stance, at, legs);
+    const Vector6 step = newton_step(stance, at, legs, clear);
     at = stepped(at, step);
     ++iterations;
     if (step.cwiseAbs().maxCoeff() < kConverged) break;
@@ -257,11 +281,12 @@ Iterate descend(const Stance& stance, Iterate at, LegSet legs, int& iterations) 
   return at;
 }
 
-LegSet out_of_reach(const Stance& stance, const Iterate& at) {
+LegSet out_of_reach(const Stance& stance, const Iterate& at, const Clear& clear) {
   LegSet out;
   for_each(stance.reach, [&](LegId i) {
-    const Vector3 p_BF = stance.foot(at, i) + stance.model.p_BM;
-    out.set(i, !inverse_kinematics(stance.model.legs[i], p_BF).reachable);
+    const Vector3 f = stance.foot(at, i);
+    const LegModel& leg = stance.model.legs[i];
+    out.set(i, !clear.still(i, f) && !inverse_kinematics(leg, f + stance.model.p_BM).reachable);
   });
   return out;
 }
@@ -272,13 +297,14 @@ StancePose optimise_stance(const RobotModel& model, const StanceProblem& problem
   const Stance stance = stance_of(model, problem);
   StancePose out;
   LegSet given_up;
+  Clear clear;
   Iterate at;
 
   // All legs; if some don't reach, without the one that is farthest off, and so on.
   for (int descent = 0; descent < kMaxDescents; ++descent) {
     at = descend(stance, level_guess(stance, problem.X_OB, given_up),
-                 without(stance.reach, given_up), out.iterations);
-    out.out_of_reach = out_of_reach(stance, at);
+                 without(stance.reach, given_up), clear, out.iterations);
+    out.out_of_reach = out_of_reach(stance, at, clear);
     const LegId leg = farthest(without(out.out_of_reach, given_up), stance, at);
     if (leg < 0) break;
     given_up.insert(leg);
