@@ -91,7 +91,6 @@ LegArray<Vector3> contact_forces(const ContactForceProblem& problem,
   set_objective(program, problem, params, carriers);
   add_limits(program, problem, params, carriers);
   const auto solution = solve(program);
-  if (solution.status != QpStatus::solved) return force;
   for (int k = 0; k < carriers.size; ++k)
     force[carriers.leg[static_cast<std::size_t>(k)]] = solution.x.segment<3>(3 * k);
   return force;

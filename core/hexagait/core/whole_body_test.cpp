@@ -57,6 +57,22 @@ TEST(WholeBody, CarriesTheWeightWithEitherController) {
   }
 }
 
+// To the bit: shared_load() along `up_B`, through the Jacobian of the joint targets.
+TEST(WholeBody, FeedsForwardSharedLoadsIfKinematic) {
+  WholeBodyInput input = standing();
+  input.load[1] = 0.3;
+  input.load[4] = 0.0;
+  input.up_B = rotation({0.1, -0.2, 0.3}).row(2);
+  const LegArray<double> force =
+      shared_load(input.p_BF, argos().p_BM, input.load, argos().mass * kGravity);
+  const LegArray<LegJoints> effort = efforts(WholeBodyController::kinematic, input);
+  for (LegId i = 0; i < 6; ++i) {
+    const Matrix3 J = foot_jacobian(argos().legs[i], input.trig[i]);
+    const LegJoints expected = J.transpose() * (-force[i] * input.up_B);
+    EXPECT_EQ(effort[i], i == 4 ? LegJoints(LegJoints::Zero()) : expected);
+  }
+}
+
 // A base 1 cm too low, 5 mm too far left, turned by 0.02 rad: k e and k' θ on top of the weight.
 TEST(WholeBody, PushesTheBaseBackLikeASpring) {
   WholeBodyInput input = standing();
