@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <hexagait/core/executor.hpp>
-#include <hexagait/core/load_sharing.hpp>
 #include <limits>
 
 namespace hexagait {
@@ -75,6 +74,7 @@ const JointTargets& Executor::advance(const RobotState& state, double dt) noexce
 }
 
 void Executor::move_base(const RobotState& state, double dt) noexcept {
+  base_error_ = {};
   if (base_follows_) return follow_base(state, dt);
   base_goal_ = base_command_.adaptation
                    ? base_command_.adaptation(base_command_, pose_adaptation_input(state))
@@ -90,15 +90,16 @@ void Executor::follow_base(const RobotState& state, double dt) noexcept {
   const BaseState middle = base_plan_.curve.at(0.5 * (begin + base_time_));
   const double share = (base_time_ - begin) / dt;
 
-  const Matrix3 R_BD = state.X_OB.R.transpose() * now.X.R;
+  const Matrix3 R_BD = state.X_OB.R.transpose() * now.X_AB.R;
   const BaseParams& p = params_.base;
-  Vector3 v = p.correction_rate * (state.X_OB.R.transpose() * (now.X.p - state.X_OB.p));
+  Vector3 v = p.correction_rate * (state.X_OB.R.transpose() * (now.X_AB.p - state.X_OB.p));
   Vector3 w = p.correction_rate * rotation_vector(R_BD);
   if (v.norm() > p.correction_speed) v *= p.correction_speed / v.norm();
   if (w.norm() > p.correction_turn) w *= p.correction_turn / w.norm();
   v += share * (R_BD * middle.V_B.v);
   w += share * (R_BD * middle.V_B.w);
   base_ = {{v.head<2>(), w.z()}, v.z(), w.x(), w.y()};
+  base_error_ = base_error(state.X_OB, state.V_B, now.X_AB, now.V_B);
 }
 
 void Executor::move_legs(const RobotState& state, double dt) noexcept {
@@ -214,22 +215,26 @@ void Executor::set_joints(const RobotState& state, double dt) noexcept {
   }
 }
 
-// Each standing foot presses down with its share of the weight: τ = Jᵀ (−F up).
 void Executor::set_efforts(const RobotState& state, double dt) noexcept {
-  const Vector3 up_B = state.X_OB.R.row(2);
-  LegArray<Vector3> p_F(legs_.size());
-  LegArray<double> share(legs_.size());
-  for (LegId i = 0; i < legs_.size(); ++i) {
-    p_F[i] = legs_[i].p_BF;
-    share[i] = legs_[i].load;
+  const int n = legs_.size();
+  WholeBodyInput input{.p_BF = LegArray<Vector3>(n),
+                       .trig = trig_,
+                       .load = LegArray<double>(n),
+                       .up_B = state.X_OB.R.row(2),
+                       .normal_B = LegArray<Vector3>(n),
+                       .error = base_error_};
+  for (LegId i = 0; i < n; ++i) {
+    input.p_BF[i] = legs_[i].p_BF;
+    input.load[i] = legs_[i].load;
+    input.normal_B[i] = state.X_OB.R.transpose() * legs_[i].normal_O;
   }
-  const LegArray<double> force =
-      shared_load(p_F, model_->p_BM, share, model_->mass * params_.gravity);
+  targets_.effort =
+      joint_efforts(params_.controller, *model_, input, params_.gravity, params_.virtual_model);
+
   for (LegId i = 0; i < legs_.size(); ++i) {
-    targets_.effort[i].setZero();
-    if (force[i] > 0.0)
-      targets_.effort[i] =
-          foot_jacobian(model_->legs[i], trig_[i]).transpose() * (-force[i] * up_B);
+    const bool carries = legs_[i].phase == LegPhase::support || legs_[i].phase == LegPhase::unload;
+    if (params_.controller == WholeBodyController::virtual_model && carries)
+      targets_.mode[i] = ControlMode::effort;
 
     // What a plan adds comes and goes within kEffortRamp.
     const LegJoints wish = planned_effort(i, state);

@@ -6,6 +6,7 @@
 #include <hexagait/core/leg_lane.hpp>
 #include <hexagait/core/plant.hpp>
 #include <hexagait/core/robot_state.hpp>
+#include <hexagait/core/whole_body.hpp>
 
 namespace hexagait {
 
@@ -13,6 +14,8 @@ struct ExecutorParams {
   SwingParams swing;
   BaseParams base;
   double gravity = 9.81;  ///< [m/s²]; 0 feeds no load forward
+  WholeBodyController controller = WholeBodyController::kinematic;
+  VirtualModelParams virtual_model;
 };
 
 /// The Free Gait executor: a lane per leg and one for the base ([FG16] II), without barriers
@@ -113,6 +116,7 @@ class Executor {
   BasePlan base_plan_;
   bool base_follows_ = false;
   double base_time_ = 0.0;  ///< in its plan [s]
+  BaseError base_error_;    ///< against the plan; none without one
 };
 
 }  // namespace hexagait

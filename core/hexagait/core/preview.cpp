@@ -115,7 +115,8 @@ class Examiner {
     std::string where = "step ";
     where += std::to_string(step_);
     if (leg >= 0) where.append(", ").append(model_.legs[leg].name);
-    preview_.findings.push_back({kind, is_error, step_, mark_of(step, leg), where.append(": ").append(text)});
+    preview_.findings.push_back(
+        {kind, is_error, step_, mark_of(step, leg), where.append(": ").append(text)});
   }
 
   const RobotModel& model_;

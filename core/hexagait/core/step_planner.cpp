@@ -37,10 +37,10 @@ LegSet without(LegSet a, LegSet b) { return LegSet(a.bits() & ~b.bits()); }
 BaseState start_of_base(const StepStart& start) {
   BaseState from{start.state.X_OB, start.executor.base().twist()};
   if (!start.executor.base_follows()) return from;
-  const Pose X_OD = start.executor.base_plan().curve.at(start.executor.base_time()).X;
-  const bool near = (X_OD.p - from.X.p).norm() < kNearPlan &&
-                    rotation_vector(X_OD.R.transpose() * from.X.R).norm() < kNearPlan;
-  if (near) from.X = X_OD;
+  const Pose X_OD = start.executor.base_plan().curve.at(start.executor.base_time()).X_AB;
+  const bool near = (X_OD.p - from.X_AB.p).norm() < kNearPlan &&
+                    rotation_vector(X_OD.R.transpose() * from.X_AB.R).norm() < kNearPlan;
+  if (near) from.X_AB = X_OD;
   return from;
 }
 
@@ -150,7 +150,7 @@ void StepPlanner::plan_base(const action::Step& step, const action::Step* next,
     const Pose X_OA = start.step_frames.in_odom(t->frame, start.frames, start.state);
     for (const BaseKnot& knot : t->knots) base_knots_.push_back({knot.time, X_OA * knot.X_AB});
   } else {
-    const BaseGoalPose goal = base_goal(step, next, start, from.X);
+    const BaseGoalPose goal = base_goal(step, next, start, from.X_AB);
     ignores_legs = goal.ignores_legs;
     base_knots_.push_back({goal.duration, goal.X_OB});
   }
@@ -167,7 +167,7 @@ void StepPlanner::plan_base(const action::Step& step, const action::Step* next,
       if (rate_based(command))
         stretch(plan_.legs[leg_motion(command).leg], command, longest, start, params_);
   }
-  plan_.base.curve.plan(from, base_knots_, end_twist(step, next, start, from.X));
+  plan_.base.curve.plan(from, base_knots_, end_twist(step, next, start, from.X_AB));
   plan_.duration = std::max(plan_.duration, time);
 }
 
@@ -221,7 +221,7 @@ Pose StepPlanner::best_stance(const action::BaseAuto& command, const action::Ste
   const StanceProblem problem = stance_problem(command, lifted, ignored_by(step), start);
   height_ = problem.height;
   plan_.stance = params_.stance(start.model, problem);
-  if (!plan_.stance.reachable && plan_.cause == Cause::none) {
+  if (!plan_.stance.reachable() && plan_.cause == Cause::none) {
     plan_.cause = Cause::out_of_reach;
     plan_.leg = first_of(plan_.stance.out_of_reach);
   }
