@@ -38,8 +38,10 @@ struct FootSwing {
 /// same direction: it can neither leave the knots' box nor run backwards. A cubic spline through
 /// the knots, C1 or C2, does both: it passes the apex, and on `square` it first goes back. The
 /// velocities at the ends are ramped from and to 0 over the first and last segment, or over the
-/// shorter time in which that takes no more way than there is, at least 0.9 mm; in mid-air not
-/// harder than 15 m/s².
+/// shorter time in which that takes no more way than there is, at least 0.9 mm: to arrive with 0.2
+/// m/s where there is no way down takes 9 ms and 33 m/s². A start velocity is braked with no more
+/// than 15 m/s² where the first segment lasts long enough: a foot replaced in mid-air may leave the
+/// box by v²/20 s²/m, and turn back if its target is behind it.
 /// Knots come in proportion to the square root of the chord length, so that moves from stop to stop
 /// accelerate equally, 5.77 way/time²; deviation: the reference's proportion to the length would
 /// lift by 1 cm within 20 ms. Knots within 1 mm of the next are left out.
