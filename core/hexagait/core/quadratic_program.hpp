@@ -60,9 +60,9 @@ struct QpSolution {
 /// way, so that (qp 2) holds all the time but for feasibility.
 ///
 /// Constraints may be redundant, repeated, opposite (an equality) or all zero. Feasible means: to
-/// 1e-9 of |a_i| |x| + |b_i|; where that is thicker than what the constraints leave, nearly parallel
-/// ones may be called infeasible. Normals nearer to parallel than 1e-9 (in the metric of H⁻¹) count
-/// as parallel. At most 4 (n + m) + 20 iterations.
+/// 1e-9 of |a_i| |x| + |b_i|; where that is thicker than what the constraints leave, nearly
+/// parallel ones may be called infeasible. Normals nearer to parallel than 1e-9 (in the metric of
+/// H⁻¹) count as parallel. At most 4 (n + m) + 20 iterations.
 ///
 /// @see Goldfarb and Idnani, A numerically stable dual method for solving strictly convex quadratic
 ///      programs, Mathematical Programming 27, 1983

@@ -244,7 +244,7 @@ TEST(StancePose, IsMirroredWithItsFeet) {
 TEST(StancePose, IsTheMinimumThatSequentialLeastSquaresFinds) {
   RandomSequence random{.seed = 4};
   int held = 0;
-  for (int trial = 0; trial < 150; ++trial) {
+  for (int trial = 0; trial < 90; ++trial) {
     StanceProblem problem = random_problem(random, trial % 3 == 0 ? 0.05 : 0.18);
     problem.margin = random.uniform(0.0, 0.12);
     for (int k = 0; k < trial % 4; ++k) problem.support.erase((trial + 5 * k) % 6);
@@ -262,7 +262,7 @@ TEST(StancePose, IsTheMinimumThatSequentialLeastSquaresFinds) {
     }
     ASSERT_NEAR(stance.objective, best, 1e-6 + 1e-4 * best) << trial;
   }
-  EXPECT_GT(held, 100);
+  EXPECT_GT(held, 60);
 }
 
 // Hip and yaw with 0.15 rad either way of the nominal stance: now these are what holds the base.
@@ -328,7 +328,7 @@ void expect_stable(const StanceProblem& problem, const StancePose& stance) {
 // Any sets, feet anywhere within a leg's length of their places, and beyond.
 TEST(StancePose, IsStableAndUprightWhateverTheFeetAre) {
   RandomSequence random{.seed = 5};
-  for (int trial = 0; trial < 2000; ++trial) {
+  for (int trial = 0; trial < 800; ++trial) {
     StanceProblem problem = random_problem(random, trial % 2 ? 0.2 : 0.6);
     problem.reach = LegSet(static_cast<std::uint32_t>(64 * random.u01()));
     problem.support = LegSet(static_cast<std::uint32_t>(64 * random.u01()));
@@ -410,7 +410,7 @@ TEST(StancePose, GivesUpAFootThatIsTooFarAndKeepsTheOthers) {
 
 TEST(StancePose, IsFiniteForAnyFiniteFeet) {
   RandomSequence random{.seed = 6};
-  for (int trial = 0; trial < 1000; ++trial) {
+  for (int trial = 0; trial < 300; ++trial) {
     StanceProblem problem = nominal_feet(argos(), {});
     for (Vector3& p : problem.p_OF)
       for (double& x : p) x = random.uniform(-1.0, 1.0) * std::pow(10.0, random.uniform(-9, 300));

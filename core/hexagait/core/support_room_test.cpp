@@ -61,7 +61,7 @@ double largest(F f) {
 // concave, and so is its maximum over y as a function of x.
 TEST(SupportRoom, HasTheInscribedCircleOfAnyPolygon) {
   RandomSequence random{.seed = 2};
-  for (int trial = 0; trial < 40; ++trial) {
+  for (int trial = 0; trial < 12; ++trial) {
     Points points(static_cast<std::size_t>(3 + trial % 10));
     for (Vector2& point : points) point = {random.uniform(-1, 1), random.uniform(-1, 1)};
     const SupportRoom room = support_room(support_polygon(points), 0.0);
