@@ -49,8 +49,9 @@ struct StancePose {
 /// the nominal stance, carried with the base.
 ///
 /// By Newton's method: (stance 1) with its exact Hessian (of Gauss and Newton where that is not
-/// convex), the kinematic limits linearised, a quadratic program each; ten at most. Its unknowns
-/// are the place of M and a turn about it: (stance 2) is linear in them and holds exactly.
+/// convex), the kinematic limits linearised, a quadratic program each, at most ten; usually three.
+/// Its unknowns are the place of M and a turn about it: (stance 2) is linear in them and holds
+/// exactly. The search starts from the best level pose, which is a closed form.
 ///
 /// A margin that the polygon has no room for is shrunk to what it has. On two feet or one the
 /// centre of mass goes over the segment or the point; without support (stance 2) is left out. If
