@@ -11,6 +11,10 @@ namespace hexagait {
 
 inline constexpr double kMaxTilt = 0.6;          ///< of the base against the vertical [rad]
 inline constexpr double kReachClearance = 5e-4;  ///< kept from the ends of a leg's reach [m]
+/// Weight of heights over horizontal places in (stance 1): height and tilt follow the heights of
+/// the feet, and hardly their horizontal places. With 1 a base that (stance 2) keeps on one side
+/// leans by 5° over level feet, and stands 1 cm higher than it was told.
+inline constexpr double kHeightWeight = 100.0;
 inline constexpr double kJointClearance = 1e-3;  ///< kept from the limits of yaw and hip [rad]
 
 /// What the base is to be held over.
@@ -39,8 +43,10 @@ struct StancePose {
 
 /// The base pose from which the feet are nearest to where they are in the nominal stance:
 ///
-///     min Σ |R_BO (p_OF − p_OB) − p_BN|²,   p_BN = (p_BC.x, p_BC.y, −height)           (stance 1)
-///      over the six parameters of X_OB and all legs in `reach`, subject to
+///     min Σ eᵀ W e,   e = R_BO (p_OF − p_OB) − p_BN,   p_BN = (p_BC.x, p_BC.y, −height)  (stance
+///     1)
+///      W = diag(1, 1, kHeightWeight), over the six parameters of X_OB and all legs in `reach`,
+///      with
 ///     n_jᵀ p_OM ≤ b_j − margin     for every edge of the support polygon               (stance 2)
 ///     leg reach, yaw and hip limits, each kept by the clearance above, for all in `reach`
 ///     tilt ≤ kMaxTilt

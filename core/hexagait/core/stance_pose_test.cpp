@@ -66,8 +66,10 @@ struct Oracle {
     double sum = 0.0;
     for (LegId i = 0; i < model.num_legs(); ++i) {
       const Vector3& c = model.legs[i].p_BC;
-      if (problem.reach.contains(i))
-        sum += (X_BO * problem.p_OF[i] - Vector3(c.x(), c.y(), -problem.height)).squaredNorm();
+      if (!problem.reach.contains(i)) continue;
+      const Vector3 p_BF = X_BO * problem.p_OF[i];
+      sum += std::pow(p_BF.x() - c.x(), 2) + std::pow(p_BF.y() - c.y(), 2) +
+             kHeightWeight * std::pow(p_BF.z() + problem.height, 2);
     }
     return sum;
   }
@@ -201,6 +203,20 @@ TEST(StancePose, TiltsTowardsARaisedPairThatTakesPart) {
   problem.reach.erase(0);
   problem.reach.erase(1);
   EXPECT_NEAR(roll_pitch_yaw(optimise_stance(argos(), problem).X_OB.R).norm(), 0.0, 1e-8);
+}
+
+// Kept to one side by the margin over three level feet, the base stays level at its height: of a
+// lean by θ over feet at a distance of a the cost is some 100 (a θ)² against a gain below e² θ.
+TEST(StancePose, StaysLevelAtItsHeightWhenTheMarginKeepsItAside) {
+  StanceProblem problem = nominal_feet(argos(), {});
+  problem.support = LegSet(0b100110);
+  problem.margin = 0.12;
+  problem.height = 0.28;
+  const StancePose stance = optimise_stance(argos(), problem);
+  const double mean_z = problem.p_OF[0].z();
+  ASSERT_GT((stance.X_OB.p - problem.X_OB.p).head<2>().norm(), 0.01);
+  EXPECT_LT(roll_pitch_yaw(stance.X_OB.R).head<2>().norm(), 0.002);
+  EXPECT_NEAR(stance.X_OB.p.z() - mean_z, 0.28, 0.001);
 }
 
 // ---- Invariance.
