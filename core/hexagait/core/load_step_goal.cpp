@@ -48,6 +48,7 @@ std::vector<LegWord> leg_words(const RobotModel& model) {
 
 LegId read_old_leg(YamlReader& yaml, const std::vector<LegWord>& words, const YamlFields& fields) {
   std::vector<std::string> names;
+  names.reserve(words.size());
   for (const LegWord& word : words) names.push_back(word.name);
   const std::optional<YamlField> field = yaml.require(fields, "name");
   if (!field) return 0;
