@@ -29,6 +29,12 @@ using AnyCommand = std::variant<LegCommand, BaseCommand, CustomCommand, Wait>;
                                                                  const ActionWords& words,
                                                                  const YamlFields& options);
 
+/// What stands under `trajectory`, for a foot and for the base.
+[[nodiscard]] EndEffectorTrajectory read_foot_trajectory(YamlReader& yaml, const ActionWords& words,
+                                                         const YamlFields& options);
+[[nodiscard]] BaseTrajectory read_pose_trajectory(YamlReader& yaml, const ActionWords& words,
+                                                  const YamlFields& options);
+
 /// Leg, surface normal and flags, as far as the command has them.
 [[nodiscard]] LegMotion read_leg_motion(YamlReader& yaml, const ActionWords& words,
                                         const YamlFields& options);

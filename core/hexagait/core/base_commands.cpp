@@ -38,21 +38,6 @@ BaseTarget read_base_target(YamlReader& yaml, const ActionWords& words, const Ya
   return command;
 }
 
-BaseTrajectory read_base_trajectory(YamlReader& yaml, const ActionWords& words,
-                                    const YamlFields& options) {
-  BaseTrajectory command;
-  const std::optional<YamlField> field = yaml.require(options, "trajectory");
-  if (!field) return command;
-  const YamlFields trajectory = yaml.fields(*field, kBaseTrajectoryMap);
-  command.frame = read_frame(yaml, words, trajectory);
-  for (const YamlField& item : read_knots(yaml, trajectory)) {
-    const YamlFields fields = yaml.fields(item, kBaseKnotMap);
-    const double before = command.knots.empty() ? -1.0 : command.knots.back().time;
-    command.knots.push_back({read_time(yaml, fields, before), read_pose(yaml, fields)});
-  }
-  return command;
-}
-
 // The sub-tree under `command` as text; empty if there is none.
 std::string read_command_text(YamlReader& yaml, const YamlField& field) {
   constexpr std::size_t kMaxSize = 100'000;
@@ -91,6 +76,21 @@ Wait read_wait(YamlReader& yaml, const YamlFields& options) {
 
 }  // namespace
 
+BaseTrajectory read_pose_trajectory(YamlReader& yaml, const ActionWords& words,
+                                    const YamlFields& options) {
+  BaseTrajectory command;
+  const std::optional<YamlField> field = yaml.require(options, "trajectory");
+  if (!field) return command;
+  const YamlFields trajectory = yaml.fields(*field, kBaseTrajectoryMap);
+  command.frame = read_frame(yaml, words, trajectory);
+  for (const YamlField& item : read_knots(yaml, trajectory)) {
+    const YamlFields fields = yaml.fields(item, kBaseKnotMap);
+    const double before = command.knots.empty() ? -1.0 : command.knots.back().time;
+    command.knots.push_back({read_time(yaml, fields, before), read_pose(yaml, fields)});
+  }
+  return command;
+}
+
 AnyCommand read_command(YamlReader& yaml, const ActionWords& words, const YamlFields& options) {
   const std::string_view name = options.allowed->of;
   const Mark& mark = options.mark;
@@ -106,7 +106,7 @@ AnyCommand read_command(YamlReader& yaml, const ActionWords& words, const YamlFi
   if (name == "base_auto") return BaseCommand{read_base_auto(yaml, options), mark};
   if (name == "base_target") return BaseCommand{read_base_target(yaml, words, options), mark};
   if (name == "base_trajectory")
-    return BaseCommand{read_base_trajectory(yaml, words, options), mark};
+    return BaseCommand{read_pose_trajectory(yaml, words, options), mark};
   if (name == "custom_command") return read_custom(yaml, words, options);
   assert(name == "wait");
   return read_wait(yaml, options);

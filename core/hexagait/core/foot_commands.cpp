@@ -53,9 +53,9 @@ EndEffectorTarget read_end_effector_target(YamlReader& yaml, const ActionWords& 
   return command;
 }
 
-EndEffectorTrajectory read_end_effector_trajectory(YamlReader& yaml, const ActionWords& words,
-                                                   const YamlFields& options) {
-  EndEffectorTrajectory command{read_leg_motion(yaml, words, options), kOdom, {}};
+EndEffectorTrajectory read_foot_trajectory(YamlReader& yaml, const ActionWords& words,
+                                           const YamlFields& options) {
+  EndEffectorTrajectory command;
   const std::optional<YamlField> field = yaml.require(options, "trajectory");
   if (!field) return command;
   const YamlFields trajectory = yaml.fields(*field, kFootTrajectoryMap);
@@ -69,6 +69,14 @@ EndEffectorTrajectory read_end_effector_trajectory(YamlReader& yaml, const Actio
     if (const auto velocity = yaml.find(fields, "velocity")) knot.v = yaml.vector(*velocity);
     command.knots.push_back(knot);
   }
+  return command;
+}
+
+EndEffectorTrajectory read_end_effector_trajectory(YamlReader& yaml, const ActionWords& words,
+                                                   const YamlFields& options) {
+  const LegMotion motion = read_leg_motion(yaml, words, options);
+  EndEffectorTrajectory command = read_foot_trajectory(yaml, words, options);
+  static_cast<LegMotion&>(command) = motion;
   return command;
 }
 

@@ -90,10 +90,15 @@ Iterate level_guess(const Stance& stance, const Pose& X_OB, LegSet given_up) {
   return {mean_F - R * mean_N, R};
 }
 
+// W e
+Vector3 weighted(const Vector3& e) { return {e.x(), e.y(), kHeightWeight * e.z()}; }
+
 double objective(const Stance& stance, const Iterate& at) {
   double sum = 0.0;
-  for_each(stance.reach,
-           [&](LegId i) { sum += (stance.foot(at, i) - stance.p_MN[i]).squaredNorm(); });
+  for_each(stance.reach, [&](LegId i) {
+    const Vector3 e = stance.foot(at, i) - stance.p_MN[i];
+    sum += e.dot(weighted(e));
+  });
   return sum;
 }
 
@@ -101,31 +106,34 @@ Matrix3 cross_matrix(const Vector3& v) {
   return (Matrix3() << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0).finished();
 }
 
-// (stance 1) to second order in a shift d of M (axes of the base) and a turn θ, f the feet from M:
+// (stance 1) to second order in a shift d of M (axes of the base) and a turn θ, f the feet from M,
+// e = f − n, g = W e:
 //
-//     f' = exp(−θ) (f − d),   ½ Σ |f' − n|² ≈ … − d·Σ(f − n) + θ·Σ f×n
-//                             + ½ k |d|² − d·(Σn)×θ + ½ θᵀ (tr K − K) θ,   K = Σ n fᵀ, symmetrised
+//     f' = exp(−θ) (f − d) ≈ f − d + f×θ + θ×d + ½ θ×(θ×f)
+//     ½ Σ (f' − n)ᵀ W (f' − n) ≈ … − d·Σ g + θ·Σ g×f + ½ Σ (d − f×θ)ᵀ W (d − f×θ)
+//                                + Σ d·(g×θ) + ½ Σ θᵀ (½ (g fᵀ + f gᵀ) − g·f) θ
 //
-// With f in place of n in the second line it is Gauss and Newton's: never concave.
+// Without the last line it is Gauss and Newton's: never concave.
 void set_objective(PoseProgram& program, const Stance& stance, const Iterate& at, bool exact) {
   program.g.setZero();
-  Vector3 sum = Vector3::Zero();
-  Matrix3 K = Matrix3::Zero();
-  for_each(stance.reach, [&](LegId i) {
-    const Vector3 f = stance.foot(at, i);
-    const Vector3& n = stance.p_MN[i];
-    program.g.head<3>() -= f - n;
-    program.g.tail<3>() += f.cross(n);
-    sum += exact ? n : f;
-    K += (exact ? n : f) * f.transpose();
-  });
-  const double k = stance.reach.size();
   program.H.setZero();
-  program.H.topLeftCorner<3, 3>().diagonal().setConstant(k);
-  program.H.bottomLeftCorner<3, 3>() = cross_matrix(sum);
-  program.H.bottomRightCorner<3, 3>() = -0.5 * (K + K.transpose());
-  program.H.bottomRightCorner<3, 3>().diagonal().array() += K.trace();
-  program.H.diagonal().array() += kDamping * std::max(k, 1.0) * (1.0 + std::abs(K.trace()));
+  const Vector3 w = weighted(Vector3::Ones());
+  for_each(stance.reach, [&](LegId i) {
+    const Vector3 f = stance.foot(at, i), g = weighted(f - stance.p_MN[i]);
+    const Matrix3 F = cross_matrix(f), WF = w.asDiagonal() * F;
+    program.g.head<3>() -= g;
+    program.g.tail<3>() += g.cross(f);
+    program.H.topLeftCorner<3, 3>().diagonal() += w;
+    program.H.bottomLeftCorner<3, 3>() += WF.transpose() * -1.0;
+    program.H.bottomRightCorner<3, 3>() += F.transpose() * WF;
+    if (!exact) return;
+    const Matrix3 gf = g * f.transpose();
+    program.H.bottomLeftCorner<3, 3>() -= cross_matrix(g);
+    program.H.bottomRightCorner<3, 3>() += 0.5 * (gf + gf.transpose());
+    program.H.bottomRightCorner<3, 3>().diagonal().array() -= gf.trace();
+  });
+  const double scale = kDamping * (1.0 + program.H.diagonal().maxCoeff());
+  program.H.diagonal().array() += scale;
 }
 
 /// The rows of the program, and whose limit each one is.

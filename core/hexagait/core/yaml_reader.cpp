@@ -84,10 +84,10 @@ void YamlReader::refuse_word(const Mark& mark, std::string_view what, std::strin
   if (nearest)
     refuse(mark, fmt::format("unknown {} {}; did you mean \"{}\"?", what, quoted(word), *nearest));
   else if (known.empty())
-    refuse(mark, fmt::format("unknown {} {}; there is none", what, quoted(word)));
+    refuse(mark, fmt::format("unknown {} {}; none is known", what, quoted(word)));
   else
     refuse(mark,
-           fmt::format("unknown {} {}; there are {}", what, quoted(word), fmt::join(known, ", ")));
+           fmt::format("unknown {} {}; known: {}", what, quoted(word), fmt::join(known, ", ")));
 }
 
 YamlFields YamlReader::fields(const YamlField& map, const YamlKeys& allowed) {
