@@ -48,6 +48,10 @@ void check_params(Violations& violations, const WorldParams& p) {
   fraction("hinge_erp", p.hinge_erp);
   not_negative("hinge_cfm", p.hinge_cfm);
   not_negative("start_clearance [m]", p.start_clearance);
+  for (const Block& block : p.blocks) {
+    if (block.centre.allFinite() && block.size.allFinite() && block.size.minCoeff() > 0.0) continue;
+    violations.add("blocks [m]", "must be finite, with edges that are positive");
+  }
   if (!(p.start.shift.norm() < kFarthestStart) || !std::isfinite(p.start.angle)) {
     violations.add("start", "must be finite and within 100 km of the origin");
   }
