@@ -144,7 +144,7 @@ Preview preview(const RobotModel& model, const LegArray<LegJoints>& joints,
   Preview preview;
   ActionRunner runner(model, lenient(params.runner));
   const Measurement measurement{0.0, joints, LegArray<bool>(model.num_legs(), true)};
-  runner.start(measurement);
+  runner.start(measurement, params.rests_on);
   runner.submit(action);
   Examiner examiner(model, action, params, preview);
 

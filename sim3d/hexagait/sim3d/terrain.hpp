@@ -15,10 +15,10 @@ struct TerrainSpec {
     flat,   ///< the plane z = 0
     boxes,  ///< square cells at random levels, with vertical faces between them
     steps,  ///< the same levels as a heightfield: between cells a ramp one sample wide
-    step,   ///< a single step up, with a vertical face across the way where the start pad ends
+    step,   ///< 0 behind the front end of the start pad, from there on the height
   };
   Kind kind = Kind::flat;
-  double height = 0.0;  ///< levels are uniform in [0, height); of the step [m]
+  double height = 0.0;  ///< levels are uniform in [0, height), or of the step [m]
   double cell = 0.3;    ///< edge of a cell [m]
 
   friend bool operator==(const TerrainSpec&, const TerrainSpec&) = default;
@@ -46,9 +46,8 @@ struct TerrainDescription {
 ///
 /// Cell (i, j) covers [i·cell, (i+1)·cell) × [j·cell, (j+1)·cell) in the world frame. Its level is
 /// random number (i, j) of RandomStream::terrain, so it depends neither on where the robot is nor
-/// on which cells were asked for before. The 4 × 4 cells around the origin are the start pad, at 0.
-/// Of a `step`, all cells with i ≥ 2 are up.
-/// Coordinates may be up to 10⁸ cells.
+/// on which cells were asked for before. Of a step it is 0 or the height. The 4 × 4 cells around
+/// the origin are the start pad, at 0. Coordinates may be up to 10⁸ cells.
 class Terrain {
  public:
   /// @throws InvalidInput  if the height is negative or not finite, or the cell not positive

@@ -16,10 +16,14 @@ constexpr double kFallTilt = std::numbers::pi / 3.0;
 // Who lies down comes to the ground slower than this, who falls faster: from 2 cm on [m/s].
 constexpr double kFallSpeed = 0.6;
 
+// A foot that leaves the ground for less than this still counts: nothing tips in that time [s].
+constexpr double kBounce = 0.05;
+
 // Watches with the truth.
 class ActionReferee {
  public:
-  ActionReferee(const RobotModel& model, const GroundTruth& truth) : model_(model) {
+  ActionReferee(const RobotModel& model, const GroundTruth& truth)
+      : model_(model), touched_at_(model.num_legs(), truth.time) {
     summary_.height_min = summary_.height_max = truth.X_WB.p.z();
     summary_.state_hash = kFnv1aBasis;
     watch_motion(truth);
@@ -60,7 +64,8 @@ class ActionReferee {
     LegSet feet;
     for (LegId i = 0; i < model_.num_legs(); ++i) {
       p_WF[i] = truth.feet[i].p_WF;
-      feet.set(i, truth.feet[i].in_contact);
+      if (truth.feet[i].in_contact) touched_at_[i] = truth.time;
+      feet.set(i, truth.time - touched_at_[i] < kBounce);
     }
     summary_.stands_at_end = !truth.base_touches_ground && feet == LegSet::all(model_.num_legs());
     if (truth.base_touches_ground || feet.empty()) return;
@@ -89,6 +94,7 @@ class ActionReferee {
   const RobotModel& model_;
   ActionSummary summary_;
   Pose X_WO_;
+  LegArray<double> touched_at_;  ///< when each foot last touched [s]
   bool touched_ = false;
   double sinking_ = 0.0;  ///< [m/s]
 };
@@ -108,7 +114,7 @@ Measurement settled(ActionRunner& runner, Plant& plant, const ActionTrialOptions
   Measurement measurement;
   plant.read(measurement);
   const auto ticks = std::lround(options.settle / runner.params().control_dt);
-  if (options.lying) {
+  if (options.rests_on == RestsOn::belly) {
     hold(plant, measurement, ticks);
   } else {
     runner.start(measurement);
@@ -117,7 +123,7 @@ Measurement settled(ActionRunner& runner, Plant& plant, const ActionTrialOptions
       plant.read(measurement);
     }
   }
-  runner.start(measurement);
+  runner.start(measurement, options.rests_on);
   return measurement;
 }
 

@@ -10,11 +10,10 @@
 namespace hexagait::walk {
 
 struct ActionTrialOptions {
-  double settle = 0.2;     ///< the plant stands for so long before the action begins [s]
-  double rest = 0.5;       ///< and is watched for so long after it [s]
-  double seconds = 600.0;  ///< the action may take so long; then it is stopped [s]
-  /// The robot starts on its belly: what its feet touch is of no account, the joints just hold.
-  bool lying = false;
+  double settle = 0.2;               ///< the plant stands for so long before the action begins [s]
+  double rest = 0.5;                 ///< and is watched for so long after it [s]
+  double seconds = 600.0;            ///< the action may take so long; then it is stopped [s]
+  RestsOn rests_on = RestsOn::feet;  ///< how the robot is taken over
 };
 
 /// How an action went, by ground truth.
