@@ -145,7 +145,7 @@ small = sized("", 9)
 # a, b: the feet from the side. The ground up to the step and behind it
 do for [side=0:1] {
   set lmargin at screen 0.045; set rmargin at screen 0.985
-  bottom = side == 0 ? 0.7 : 0.455
+  bottom = side == 0 ? 0.7 : 0.46
   set bmargin at screen bottom; set tmargin at screen bottom + 0.165
   set label 3 sprintf("{/:Bold %s}   %s feet from the side: height over way [m]", \
       side == 0 ? "a" : "b", side == 0 ? "Left" : "Right") at graph 0, graph 1 \
@@ -156,9 +156,10 @@ do for [side=0:1] {
   if (side == 0) {
     set object 2 rectangle from block_x, 0 to block_x + 0.1, 0.06 fs solid 0.8 noborder \
         fc rgb "#6b5a42" behind
-    set label 4 "block, in D" at block_x + 0.11, 0.02 left textcolor rgb ink font small
+    set label 4 "block, in D" at 0.607, 0.02 left textcolor rgb ink font small
   }
-  set key at graph 1, graph 1.03 right bottom horizontal samplen 1.6 font small
+  if (side == 0) { set key at graph 1, graph 1.03 right bottom horizontal samplen 1.6 width -2 font small }
+  if (side == 1) { unset key }
   plot for [k=0:3] for [j=0:2] "fg16_fig6-feet.csv" index (6*k + 2*j + side) \
            using 4:($6 - foot_radius) with lines lw 5 lc rgb "#c3ccd4" \
            title (k + j == 0 ? "commanded" : ""), \
@@ -169,9 +170,9 @@ do for [side=0:1] {
 }
 
 # c: from above, a metre as long across as up: feet as dots where they came to stand, the base, the pushes
-set lmargin at screen 0.045; set rmargin at screen 0.545
-set bmargin at screen 0.055; set tmargin at screen 0.055 + 0.5*width*1.36/2.54/height
-set label 3 "{/:Bold c}   From above: footholds, where the feet came to stand, the base and the pushes [m]" \
+set lmargin at screen 0.045; set rmargin at screen 0.475
+set bmargin at screen 0.055; set tmargin at screen 0.055 + 0.43*width*1.36/2.54/height
+set label 3 "{/:Bold c}   From above: footholds, feet that stand on them, base and pushes [m]" \
     at graph 0, graph 1 offset 0, 0.9 left textcolor rgb ink
 set xrange [-0.72:1.82]; set yrange [-0.68:0.68]
 set xtics 0.5; set ytics 0.5
@@ -188,7 +189,7 @@ plot "fg16_fig6-touchdowns.csv" using 4:5 with points pt 6 ps 1.5 lw 2.5 lc rgb 
 unset object 1; unset object 2
 
 # d: how near the feet are to where they should be
-set lmargin at screen 0.62; set rmargin at screen 0.985
+set lmargin at screen 0.55; set rmargin at screen 0.985
 set label 3 "{/:Bold d}   Distance of a swinging foot from its command: share of the time" \
     at graph 0, graph 1 offset 0, 0.9 left textcolor rgb ink
 set logscale x; set xrange [0.1:100]; set yrange [0:1]
