@@ -27,7 +27,7 @@ void FootTracks::observe(const ActionRunner& runner, const Pose& X_OM, const Gro
   const Sample now = sample(record, X_OM, truth);
   if (ticks_ > 0) {
     watch_landings(runner, now);
-    watch_ways(record, now);
+    watch_jumps(record, now);
   }
   commanded_O_ = now.commanded;
   for (LegId i = 0; i < record.legs.size(); ++i)
@@ -62,12 +62,14 @@ void FootTracks::watch_landings(const ActionRunner& runner, const Sample& now) {
   }
 }
 
-void FootTracks::watch_ways(const ActionRecord& record, const Sample& now) {
+void FootTracks::watch_jumps(const ActionRecord& record, const Sample& now) {
+  const double dt = now.time - last_.time;
   for (LegId i = 0; i < record.legs.size(); ++i) {
     const Vector3 commanded_O = record.state.X_OB * record.legs[i].p_BF;
-    commanded_way_ = std::max(commanded_way_, (commanded_O - commanded_O_[i]).norm());
-    localised_way_ =
-        std::max(localised_way_, (now.by_localisation[i] - last_.by_localisation[i]).norm());
+    const Vector3 way_O = dt * record.legs[i].v_O;
+    const Vector3 localised = now.by_localisation[i] - last_.by_localisation[i];
+    commanded_jump_ = std::max(commanded_jump_, (commanded_O - commanded_O_[i] - way_O).norm());
+    localised_jump_ = std::max(localised_jump_, (localised - X_MO_step_.R * way_O).norm());
   }
 }
 

@@ -42,15 +42,16 @@ class FootTracks {
   /// Distances between commanded and reached of all feet that swing, at all samples [m].
   [[nodiscard]] std::vector<double> swing_errors() const;
 
-  /// Largest way in one tick of a foot: as commanded, in odom; as localisation has it [m].
-  [[nodiscard]] double largest_commanded_way() const { return commanded_way_; }
-  [[nodiscard]] double largest_localised_way() const { return localised_way_; }
+  /// Largest way of a foot in one tick beyond its commanded velocity times the time [m]: of where
+  /// it is commanded to be, in odom; and of where localisation has it.
+  [[nodiscard]] double commanded_jump() const { return commanded_jump_; }
+  [[nodiscard]] double localised_jump() const { return localised_jump_; }
 
  private:
   [[nodiscard]] Sample sample(const ActionRecord& record, const Pose& X_OM,
                               const GroundTruth& truth) const;
   void watch_landings(const ActionRunner& runner, const Sample& now);
-  void watch_ways(const ActionRecord& record, const Sample& now);
+  void watch_jumps(const ActionRecord& record, const Sample& now);
 
   std::vector<Sample> samples_;  ///< every kEvery ticks
   std::vector<Touchdown> touchdowns_;
@@ -58,7 +59,7 @@ class FootTracks {
   Sample last_;
   LegArray<Vector3> commanded_O_;  ///< in the tick before
   Pose X_MO_start_, X_MO_step_;    ///< when the action, and its step, began
-  double commanded_way_ = 0.0, localised_way_ = 0.0;
+  double commanded_jump_ = 0.0, localised_jump_ = 0.0;
 };
 
 }  // namespace hexagait::experiments

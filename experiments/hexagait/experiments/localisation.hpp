@@ -23,9 +23,9 @@ class JumpingLocalisation {
  public:
   struct Params {
     double period = 0.7;    ///< from fix to fix [s]
-    double shift = 0.02;    ///< radius of the disc [m]
+    double shift = 0.015;   ///< radius of the disc [m]
     double height = 0.005;  ///< [m]
-    double turn = 0.009;    ///< [rad]
+    double turn = 0.007;    ///< [rad]
     std::uint64_t seed = 1;
   };
 
