@@ -50,8 +50,8 @@ class FootPlanner {
     swing.profile_height = step.profile_height;
     swing.normal = X_OP_.R.transpose() * plan_.normal_O;
     swing.touchdown_speed = params_.touchdown_speed;
-    const double shortest =
-        swing_duration(from_.p, swing, step.average_velocity, params_.min_footstep_duration);
+    const double shortest = step.duration.value_or(
+        swing_duration(from_.p, swing, step.average_velocity, params_.min_footstep_duration));
     if (stands_) from_.v = params_.lift_off_speed * swing.normal;
     plan_.duration = std::max(duration, shortest);
     plan_.foot.plan_swing(from_, swing, plan_.duration);
