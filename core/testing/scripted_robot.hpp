@@ -65,9 +65,7 @@ class ScriptedRobot {
   [[nodiscard]] const LegLane& lane(LegId leg) const { return runner.executor().legs()[leg]; }
 
   /// Set point of a foot in odom [m].
-  [[nodiscard]] Vector3 foot(LegId leg) const {
-    return record().state.X_OB * lane(leg).p_BF;
-  }
+  [[nodiscard]] Vector3 foot(LegId leg) const { return record().state.X_OB * lane(leg).p_BF; }
 
   const RobotModel model;
   ActionRunner runner;
