@@ -23,8 +23,10 @@ ActionRunner::ActionRunner(const RobotModel& model, const RunnerParams& params)
 void ActionRunner::start(const Measurement& measurement) {
   StateEstimator estimator(*model_, params_.sensors);
   const RobotState state = estimator.start(measurement);  // may throw: before anything changes
-  *this = ActionRunner(*model_, params_);
+  sequencer_.reset();
+  watch_ = {};
   estimator_ = estimator;
+  record_ = {};
   record_.measurement = measurement;
   record_.state = state;
   executor_.reset(state);

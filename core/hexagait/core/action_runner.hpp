@@ -49,7 +49,8 @@ class ActionRunner {
  public:
   explicit ActionRunner(const RobotModel& model, const RunnerParams& params = {});
 
-  /// Stands where the robot stands: all feet are taken to be on the ground.
+  /// Stands where the robot stands: all feet are taken to be on the ground. Actions are forgotten;
+  /// frames and the handler of custom commands stay.
   /// @throws InvalidInput  if a joint position is missing or not finite
   void start(const Measurement& measurement);
 
