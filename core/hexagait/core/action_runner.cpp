@@ -20,16 +20,17 @@ ActionRunner::ActionRunner(const RobotModel& model, const RunnerParams& params)
       sequencer_(model, params.sequencer),
       executor_(model, params_.executor) {}
 
-void ActionRunner::start(const Measurement& measurement) {
+void ActionRunner::start(const Measurement& measurement, RestsOn rests_on) {
   StateEstimator estimator(*model_, params_.sensors);
-  const RobotState state = estimator.start(measurement);  // may throw: before anything changes
+  // May throw: before anything changes.
+  const RobotState state = estimator.start(measurement, rests_on);
   sequencer_.reset();
   watch_ = {};
   estimator_ = estimator;
   record_ = {};
   record_.measurement = measurement;
   record_.state = state;
-  executor_.reset(state);
+  executor_.reset(state, rests_on);
   report();
 }
 

@@ -49,10 +49,10 @@ class ActionRunner {
  public:
   explicit ActionRunner(const RobotModel& model, const RunnerParams& params = {});
 
-  /// Stands where the robot stands: all feet are taken to be on the ground. Actions are forgotten;
-  /// frames and the handler of custom commands stay.
+  /// Takes the robot over as it stands or lies. Actions are forgotten; frames and the handler of
+  /// custom commands stay.
   /// @throws InvalidInput  if a joint position is missing or not finite
-  void start(const Measurement& measurement);
+  void start(const Measurement& measurement, RestsOn rests_on = RestsOn::feet);
 
   /// Between ticks.
   void submit(action::Action action, Preemption preemption = Preemption::at_once) {

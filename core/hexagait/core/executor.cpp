@@ -28,9 +28,13 @@ Executor::Executor(const RobotModel& model, const ExecutorParams& params)
   targets_ = {zero, zero, zero, LegArray<ControlMode>(model.num_legs(), ControlMode::position)};
 }
 
-void Executor::reset(const RobotState& state) {
+void Executor::reset(const RobotState& state, RestsOn rests_on) {
   *this = Executor(*model_, params_);
   for (LegId i = 0; i < legs_.size(); ++i) {
+    if (rests_on == RestsOn::belly) {
+      legs_[i].phase = LegPhase::hold;
+      legs_[i].load = 0.0;
+    }
     legs_[i].p_BF = state.p_BF[i];
     trig_[i] = state.trig[i];
   }

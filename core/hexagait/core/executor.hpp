@@ -40,8 +40,9 @@ class Executor {
  public:
   Executor(const RobotModel& model, const ExecutorParams& params);
 
-  /// All legs in support, set points at the measured feet, base at rest.
-  void reset(const RobotState& state);
+  /// All legs in support, or of a robot that lies on hold; set points at the measured feet, base at
+  /// rest.
+  void reset(const RobotState& state, RestsOn rests_on = RestsOn::feet);
 
   /// Takes effect in the next advance().
   void command(const Footstep& step, const RobotState& state) noexcept;

@@ -148,7 +148,7 @@ Preview preview(const RobotModel& model, const LegArray<LegJoints>& joints,
   PreviewPlant plant(joints, dt);
   Measurement measurement;
   (void)plant.read(measurement);
-  runner.start(measurement);
+  runner.start(measurement, params.rests_on);
   runner.submit(action);
   Examiner examiner(model, action, params, preview);
 

@@ -25,6 +25,7 @@ struct Finding {
 
 struct PreviewParams {
   RunnerParams runner;
+  RestsOn rests_on = RestsOn::feet;  ///< when the action starts
   double narrow_margin = 0.01;  ///< [m]
   double most_seconds = 3600.0;
 };
@@ -40,7 +41,7 @@ struct Preview {
 /// Plays an action ahead: the very controller that runs it, on a robot that does what it is told
 /// and ground that is where each foot expects it. Nothing is left out because something before it
 /// is wrong: steps that a robot would refuse are shown all the same.
-/// @param joints   from where the action starts, all feet on the ground [rad]
+/// @param joints   from where the action starts [rad]
 /// @param observe  called after every tick, may be empty
 [[nodiscard]] Preview preview(const RobotModel& model, const LegArray<LegJoints>& joints,
                               const action::Action& action, const PreviewParams& params,

@@ -22,7 +22,7 @@ bool planned_contact(const LegLane& lane, const Pose& X_OB) {
 
 }  // namespace
 
-RobotState StateEstimator::start(const Measurement& measurement) {
+RobotState StateEstimator::start(const Measurement& measurement, RestsOn rests_on) {
   const int n = model_->num_legs();
   if (!valid(measurement, n))
     throw InvalidInput("start: the measurement must have a finite position for every joint of " +
@@ -30,14 +30,14 @@ RobotState StateEstimator::start(const Measurement& measurement) {
   RobotState state;
   state.time = measurement.time;
   state.q = measurement.q;
-  state.contact = LegArray<bool>(n, true);
+  state.contact = LegArray<bool>(n, rests_on == RestsOn::feet);
   state.trig = LegArray<LegTrig>(n);
   state.p_BF = LegArray<Vector3>(n);
   for (LegId i = 0; i < n; ++i) {
     state.trig[i] = leg_trig(model_->legs[i], state.q[i]);
     state.p_BF[i] = foot_position(model_->legs[i], state.trig[i]);
   }
-  odometry_.reset(state);
+  odometry_.reset(state, rests_on);
   return state;
 }
 

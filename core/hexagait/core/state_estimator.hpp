@@ -20,9 +20,10 @@ class StateEstimator {
   StateEstimator(const RobotModel& model, SensorMask sensors)
       : model_(&model), sensors_(sensors), odometry_(model) {}
 
-  /// The state of a robot all of whose feet are taken to be on the ground.
+  /// The state of a robot that is taken over.
   /// @throws InvalidInput  if a joint position is missing or not finite
-  [[nodiscard]] RobotState start(const Measurement& measurement);
+  [[nodiscard]] RobotState start(const Measurement& measurement,
+                                 RestsOn rests_on = RestsOn::feet);
 
   /// @param measurement  valid()
   /// @param executor     as the last tick left it: what was planned, and which feet to rely on

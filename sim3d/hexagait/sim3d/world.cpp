@@ -38,7 +38,8 @@ Pose start_pose(const RobotModel& model, const Terrain& terrain, const WorldPara
     const Vector3 p_WF = X_WB * foot_position(model.legs[leg], q[leg]);
     z = std::max(z, terrain.height_at(p_WF.x(), p_WF.y()) + model.foot_radius - p_WF.z());
   }
-  X_WB.p.z() = z + params.start_clearance;
+  const double ground = terrain.height_at(X_WB.p.x(), X_WB.p.y());
+  X_WB.p.z() = std::max(z + params.start_clearance, ground + params.start_height);
   return X_WB;
 }
 

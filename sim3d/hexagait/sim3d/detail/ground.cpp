@@ -17,6 +17,7 @@ Ground::Ground(const Terrain& terrain) : terrain_(terrain) {
       geom_.reset(dCreatePlane(nullptr, 0, 0, 1, 0));
       break;
     case TerrainSpec::Kind::boxes:
+    case TerrainSpec::Kind::step:
       geom_.reset(dCreateBox(nullptr, terrain.spec().cell, terrain.spec().cell, box_height()));
       break;
     case TerrainSpec::Kind::steps:
@@ -37,6 +38,7 @@ int Ground::collide(dGeomID geom, std::span<dContactGeom> contacts) {
     case TerrainSpec::Kind::flat:
       return collide_pair(geom, contacts);
     case TerrainSpec::Kind::boxes:
+    case TerrainSpec::Kind::step:
       return collide_boxes(geom, aabb, contacts);
     case TerrainSpec::Kind::steps:
       return collide_patch(geom, aabb, contacts);

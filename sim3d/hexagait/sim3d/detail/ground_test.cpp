@@ -9,7 +9,7 @@ namespace hexagait::sim3d::detail {
 namespace {
 
 constexpr std::array kKinds = {TerrainSpec::Kind::flat, TerrainSpec::Kind::boxes,
-                               TerrainSpec::Kind::steps};
+                               TerrainSpec::Kind::steps, TerrainSpec::Kind::step};
 
 class GroundOfKind : public testing::TestWithParam<TerrainSpec::Kind> {
  protected:
