@@ -22,9 +22,12 @@ ActionRunner::ActionRunner(const RobotModel& model, const RunnerParams& params)
 
 void ActionRunner::start(const Measurement& measurement, RestsOn rests_on) {
   StateEstimator estimator(*model_, params_.sensors);
-  const RobotState state = estimator.start(measurement, rests_on);  // may throw: before anything changes
-  *this = ActionRunner(*model_, params_);
+  // May throw: before anything changes.
+  const RobotState state = estimator.start(measurement, rests_on);
+  sequencer_.reset();
+  watch_ = {};
   estimator_ = estimator;
+  record_ = {};
   record_.measurement = measurement;
   record_.state = state;
   executor_.reset(state, rests_on);

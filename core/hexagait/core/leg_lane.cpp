@@ -241,8 +241,11 @@ void follow(LegLane& lane, const LegPlan& plan, const LegSensed& sensed, const P
   const double begin = lane.time;
   lane.time = std::min(begin + rate * dt, plan.duration);
 
-  // As far as the curve goes in this time, and back to it.
-  if (plan.kind == LegPlan::Kind::foot) {
+  // As far as the curve goes in this time, and back to it. Of what the joints do the executor knows.
+  if (plan.kind != LegPlan::Kind::foot) {
+    lane.a_O.setZero();
+    if (plan.kind == LegPlan::Kind::keep) lane.v_O.setZero();
+  } else {
     const PointState from = plan.foot.at(begin), to = plan.foot.at(lane.time);
     const Matrix3 R_BA = plan.in_body ? Matrix3::Identity() : Matrix3(X_OB.R.transpose());
     const Vector3 p_A = plan.in_body ? lane.p_BF : X_OB * lane.p_BF;
@@ -259,9 +262,16 @@ void follow(LegLane& lane, const LegPlan& plan, const LegSensed& sensed, const P
   enter(lane, plan.lands ? LegPhase::search : LegPhase::hold);
 }
 
+// A leg that was about to leave has to prove that it still stands: nobody has looked since. One
+// that has not left yet stands as soon as it is told to.
 void interrupt(LegLane& lane, bool to_stand) noexcept {
-  if (lane.phase == LegPhase::unload) return enter(lane, LegPhase::support);
+  if (lane.phase == LegPhase::unload) {
+    enter(lane, LegPhase::support);
+    lane.with_contact = lane.without_contact = 0.0;
+    lane.confirmed = false;
+  }
   if (lane.phase != LegPhase::follow) return;
+  lane.cleared = true;
   enter(lane, to_stand ? LegPhase::search : LegPhase::hold);
 }
 

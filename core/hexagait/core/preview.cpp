@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <hexagait/core/preview.hpp>
+#include <hexagait/core/recorded_plant.hpp>
 #include <hexagait/core/violations.hpp>
 
 namespace hexagait {
@@ -147,18 +148,21 @@ Preview preview(const RobotModel& model, const LegArray<LegJoints>& joints,
                 const std::function<void(const ActionRecord&)>& observe) {
   Preview preview;
   ActionRunner runner(model, lenient(params.runner));
-  const Measurement measurement{0.0, joints, LegArray<bool>(model.num_legs(), true)};
+  const double dt = params.runner.control_dt;
+  PreviewPlant plant(joints, dt);
+  Measurement measurement;
+  (void)plant.read(measurement);
   runner.start(measurement, params.rests_on);
   runner.submit(action);
   Examiner examiner(model, action, params, preview);
 
-  const double dt = params.runner.control_dt;
   const auto most_ticks = static_cast<long>(params.most_seconds / dt);
   long ticks = 0;
   while (!runner.idle() && ticks < most_ticks) {
-    Measurement now = measurement;
-    now.time = static_cast<double>(++ticks) * dt;
-    const ActionRecord& record = runner.tick(PlantStatus::fresh, now);
+    ++ticks;
+    const PlantStatus status = plant.read(measurement);
+    const ActionRecord& record = runner.tick(status, measurement);
+    plant.write(record.desired.targets);
     examiner.look(runner);
     if (observe) observe(record);
   }

@@ -12,7 +12,7 @@ namespace {
 
 using Vector6 = PoseProgram::Vector;
 
-constexpr int kMaxIterations = 10;   // of a descent
+constexpr int kMaxIterations = 16;   // of a descent
 constexpr int kMaxDescents = 4;      // each after one more leg was given up
 constexpr double kConverged = 1e-6;  // step [m], [rad]
 constexpr double kMaxTurn = 0.5;     // of a step [rad]

@@ -14,7 +14,7 @@ inline constexpr double kReachClearance = 5e-4;  ///< kept from the ends of a le
 /// Weight of heights over horizontal places in (stance 1): height and tilt follow the heights of
 /// the feet, and hardly their horizontal places. With 1 a base that (stance 2) keeps on one side
 /// leans by 5° over level feet, and stands 1 cm higher than it was told.
-inline constexpr double kHeightWeight = 100.0;
+inline constexpr double kHeightWeight = 25.0;
 inline constexpr double kJointClearance = 1e-3;  ///< kept from the limits of yaw and hip [rad]
 
 /// What the base is to be held over.
