@@ -61,6 +61,7 @@ class Examiner {
            "the legs that stand while it is lifted don't carry the centre of mass; move the base "
            "first, for example by a step with base_auto alone");
     refused_ = plan.cause == Cause::unstable;
+    lies_ = lies_ && !plan.moves_base;
   }
 
   void look_at_leg(LegId leg, const ActionRunner& runner) {
@@ -86,7 +87,9 @@ class Examiner {
   }
 
   void look_at_margin(const ActionRecord& record) {
-    if (record.desired.support.empty()) return;  // the body lies on something else
+    // Without support the body lies on something else, until it is moved.
+    lies_ = lies_ || record.desired.support.empty();
+    if (lies_) return;
     margin_ = std::min(margin_, record.margin);
     if (record.margin >= preview_.least_margin) return;
     preview_.least_margin = record.margin;
@@ -128,6 +131,7 @@ class Examiner {
   LegSet beyond_, fast_;  ///< legs about which that was said in this step
   double margin_ = 0.0;   ///< least in this step [m]
   bool refused_ = false;
+  bool lies_ = false;
 };
 
 }  // namespace
