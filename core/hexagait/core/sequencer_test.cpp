@@ -409,15 +409,31 @@ TEST(Refusal, OfAStepThatWouldTipTheRobot) {
   expect_at_rest(robot);
 }
 
-TEST(Refusal, OfABaseThatCanNotBeHeldThere) {
+TEST(Refusal, OfFeetThatNoBaseReaches) {
   ScriptedRobot robot(argos());
-  robot.runner.submit(steps({step(testing::base_auto(3.0))}));
+  robot.runner.submit(steps(
+      {step(action::BaseAuto{}, {{footstep(3, robot.foot(3) + Vector3(0.0, -3.0, 0.0)), {}}})}));
   robot.finish();
+  EXPECT_EQ(robot.record().result.outcome, Outcome::failed);
   EXPECT_EQ(robot.record().result.cause, Cause::out_of_reach);
-  // The impossible height is not what the next BaseAuto keeps.
-  robot.runner.submit(steps({step(action::BaseAuto{})}));
-  robot.finish();
-  EXPECT_EQ(robot.record().result.outcome, Outcome::succeeded);
+  expect_at_rest(robot);
+}
+
+// A height that the legs don't have is not what the next BaseAuto keeps.
+TEST(BaseAutoHeight, IsThatOfTheLastOneAsFarAsItCouldBe) {
+  ScriptedRobot robot(argos());
+  for (const double height : {0.35, 3.0}) {
+    robot.runner.submit(steps({step(testing::base_auto(height)), step(action::BaseAuto{})}));
+    double first = 0.0;
+    robot.finish([&](const ActionRecord& record) {
+      if (record.feedback.step == 1) first = record.state.X_OB.p.z();
+    });
+    EXPECT_EQ(robot.record().result.outcome, Outcome::succeeded);
+    EXPECT_NEAR(robot.record().state.X_OB.p.z(), first, 5e-3);
+    if (height < 1.0) {
+      EXPECT_NEAR(first, height + robot.model.foot_radius, 2e-3);
+    }
+  }
 }
 
 TEST(Reach, OfAFootThatGoesBeyondFailsTheAction) {

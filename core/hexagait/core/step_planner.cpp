@@ -12,6 +12,9 @@ namespace {
 // A base that is farther than this from its plan starts anew from where it is [m], [rad].
 constexpr double kNearPlan = 0.03;
 
+// A height that the legs miss by more than this is not kept for the next BaseAuto [m].
+constexpr double kHeightLost = 0.05;
+
 constexpr double kTimeTolerance = 1e-9;  // [s]
 
 // Legs that the commands of a step take out of support.
@@ -235,7 +238,9 @@ Pose StepPlanner::best_stance(const action::BaseAuto& command, const action::Ste
   if (lifted.empty() && next) lifted = lifted_by(*next);
   const StanceProblem problem = stance_problem(command, lifted, ignored_by(step), start);
   plan_.stance = params_.stance(start.model, problem);
-  if (plan_.stance.reachable()) height_ = problem.height;  // what can't be is not remembered
+  const double height = plan_.stance.X_OB.p.z() - mean_height(problem);
+  const bool too_high = problem.height > height + kHeightLost;
+  if (plan_.stance.reachable()) height_ = too_high ? height : problem.height;
   if (!plan_.stance.reachable() && plan_.cause == Cause::none) {
     plan_.cause = Cause::out_of_reach;
     plan_.leg = first_of(plan_.stance.out_of_reach);
