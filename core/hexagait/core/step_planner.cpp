@@ -42,7 +42,7 @@ LegSet without(LegSet a, LegSet b) { return LegSet(a.bits() & ~b.bits()); }
 BaseState start_of_base(const StepStart& start) {
   BaseState from{start.state.X_OB, start.executor.base().twist()};
   if (!start.executor.base_follows()) return from;
-  const BaseState planned = start.executor.base_plan().curve.at(start.executor.base_time());
+  const BaseState& planned = start.executor.base_planned();
   const Pose& X_OD = planned.X_AB;
   const bool near = (X_OD.p - from.X_AB.p).norm() < kNearPlan &&
                     rotation_vector(X_OD.R.transpose() * from.X_AB.R).norm() < kNearPlan;
@@ -181,8 +181,7 @@ void StepPlanner::plan_base(const action::Step& step, const action::Step* next,
     for (const action::LegCommand& command : step.legs) {
       const LegId leg = leg_motion(command).leg;
       const double before = time_of(leg, start) - plan_.legs[leg].duration;
-      if (rate_based(command))
-        stretch(plan_.legs[leg], command, longest - before, start, params_);
+      if (rate_based(command)) stretch(plan_.legs[leg], command, longest - before, start, params_);
     }
   }
   plan_.base.curve.plan(from, base_knots_, end_twist(step, next, start, from.X_AB));
