@@ -22,9 +22,12 @@ ActionRunner::ActionRunner(const RobotModel& model, const RunnerParams& params)
 
 void ActionRunner::start(const Measurement& measurement, RestsOn rests_on) {
   StateEstimator estimator(*model_, params_.sensors);
-  const RobotState state = estimator.start(measurement, rests_on);  // may throw: before anything changes
-  *this = ActionRunner(*model_, params_);
+  // May throw: before anything changes.
+  const RobotState state = estimator.start(measurement, rests_on);
+  sequencer_.reset();
+  watch_ = {};
   estimator_ = estimator;
+  record_ = {};
   record_.measurement = measurement;
   record_.state = state;
   executor_.reset(state, rests_on);
@@ -61,8 +64,7 @@ void ActionRunner::report() noexcept {
   desired.normal_O = LegArray<Vector3>(model_->num_legs());
   for (LegId i = 0; i < model_->num_legs(); ++i) desired.normal_O[i] = executor_.legs()[i].normal_O;
   desired.base_follows = executor_.base_follows();
-  desired.X_OB =
-      desired.base_follows ? executor_.base_plan().curve.at(executor_.base_time()).X_AB : X_OB;
+  desired.X_OB = desired.base_follows ? executor_.base_planned().X_AB : X_OB;
   desired.V_B = executor_.base().twist();
   desired.force_O = {0.0, 0.0, model_->mass * params_.executor.gravity};
   record_.margin = stability_margin(support_polygon(record_.state.p_OF, desired.support),

@@ -49,7 +49,8 @@ class ActionRunner {
  public:
   explicit ActionRunner(const RobotModel& model, const RunnerParams& params = {});
 
-  /// Takes the robot over as it stands or lies.
+  /// Takes the robot over as it stands or lies. Actions are forgotten; frames and the handler of
+  /// custom commands stay.
   /// @throws InvalidInput  if a joint position is missing or not finite
   void start(const Measurement& measurement, RestsOn rests_on = RestsOn::feet);
 

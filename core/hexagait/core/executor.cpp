@@ -10,6 +10,9 @@ namespace {
 // Time in which the effort of a plan reaches the joint's limit, at most [s].
 constexpr double kEffortRamp = 0.1;
 
+// A base whose plan ends faster than this is to go on [m/s], [rad/s].
+constexpr double kMoving = 1e-6;
+
 }  // namespace
 
 Executor::Executor(const RobotModel& model, const ExecutorParams& params)
@@ -53,13 +56,18 @@ void Executor::reserve(int foot_knots, int joint_knots, int base_knots) {
 void Executor::command(LegId leg, const LegPlan& plan, const RobotState& state,
                        double begin) noexcept {
   plans_[leg] = plan;
+  // A leg that was driven by efforts starts from where it is.
+  if (targets_.mode[leg] == ControlMode::effort) legs_[leg].p_BF = state.p_BF[leg];
   hexagait::command(legs_[leg], plans_[leg], state.X_OB);
-  if (legs_[leg].phase == LegPhase::follow) legs_[leg].time = begin;
+  if (legs_[leg].phase != LegPhase::follow) return;
+  legs_[leg].time = begin;
+  legs_[leg].p_plan = plan.foot.at(begin).p;
 }
 
 void Executor::command(const BasePlan& plan, double begin) noexcept {
   base_plan_ = plan;
   base_time_ = begin;
+  base_planned_ = base_plan_.curve.at(begin);
   base_follows_ = true;
 }
 
@@ -90,9 +98,15 @@ void Executor::move_base(const RobotState& state, double dt) noexcept {
 void Executor::follow_base(const RobotState& state, double dt) noexcept {
   const double begin = base_time_, end = base_plan_.curve.duration();
   base_time_ = std::min(begin + rate_ * dt, end);
-  const BaseState now = base_plan_.curve.at(begin);
-  const BaseState middle = base_plan_.curve.at(0.5 * (begin + base_time_));
+  const BaseState now = base_planned_;
+  base_planned_ = base_plan_.curve.at(base_time_);
   const double share = (base_time_ - begin) / dt;
+
+  // What is to go on moving behind the end of its plan, and was not given another one, brakes.
+  if (begin >= end && (now.V_B.v.norm() > kMoving || now.V_B.w.norm() > kMoving)) {
+    interrupt_base();
+    return move_base(state, dt);
+  }
 
   const Matrix3 R_BD = state.X_OB.R.transpose() * now.X_AB.R;
   const BaseParams& p = params_.base;
@@ -100,10 +114,14 @@ void Executor::follow_base(const RobotState& state, double dt) noexcept {
   Vector3 w = p.correction_rate * rotation_vector(R_BD);
   if (v.norm() > p.correction_speed) v *= p.correction_speed / v.norm();
   if (w.norm() > p.correction_turn) w *= p.correction_turn / w.norm();
-  v += share * (R_BD * middle.V_B.v);
-  w += share * (R_BD * middle.V_B.w);
+  // The trapezoidal rule; the rest of a tick in which the plan ends goes on as it ended.
+  const Twist& last = base_planned_.V_B;
+  const double rest = rate_ - 0.5 * share;
+  v += R_BD * (0.5 * share * now.V_B.v + rest * last.v);
+  w += R_BD * (0.5 * share * now.V_B.w + rest * last.w);
   base_ = {{v.head<2>(), w.z()}, v.z(), w.x(), w.y()};
-  base_error_ = base_error(state.X_OB, state.V_B, now.X_AB, now.V_B);
+  if (params_.controller == WholeBodyController::virtual_model)
+    base_error_ = base_error(state.X_OB, state.V_B, now.X_AB, now.V_B);
 }
 
 void Executor::move_legs(const RobotState& state, double dt) noexcept {
@@ -214,7 +232,11 @@ void Executor::set_joints(const RobotState& state, double dt) noexcept {
     targets_.q[i] = wanted.q;
     targets_.qd[i] = change / dt;
     trig_[i] = wanted.trig;
-    if (led_by_joints(i)) legs_[i].p_BF = foot_position(leg, trig_[i]);
+    if (led_by_joints(i)) {
+      const Vector3 p_BF = foot_position(leg, trig_[i]);
+      legs_[i].v_O = state.X_OB.R * (p_BF - legs_[i].p_BF) / dt;
+      legs_[i].p_BF = p_BF;
+    }
     targets_.mode[i] = legs_[i].phase == LegPhase::follow ? plans_[i].mode : ControlMode::position;
   }
 }

@@ -8,12 +8,15 @@ namespace hexagait {
 namespace {
 
 // Set point of the foot, in the frame in which its curve will be. A foot that stands is at rest.
+// One that is driven by efforts is where it is measured.
 PointState start_of_foot(LegId leg, const Placement& placement, const StepStart& start) {
   const LegLane& lane = start.executor.legs()[leg];
   const Pose& X_OB = start.state.X_OB;
   PointState from;
-  from.p = placement.in_body ? lane.p_BF : X_OB * lane.p_BF;
-  if (lane.on_ground() || lane.phase == LegPhase::hold) return from;
+  const bool driven = start.executor.targets().mode[leg] == ControlMode::effort;
+  const Vector3& p_BF = driven ? start.state.p_BF[leg] : lane.p_BF;
+  from.p = placement.in_body ? p_BF : X_OB * p_BF;
+  if (lane.on_ground()) return from;
   const Matrix3 R_PO = placement.in_body ? Matrix3(X_OB.R.transpose()) : Matrix3::Identity();
   from.v = R_PO * lane.v_O;
   from.a = R_PO * lane.a_O;
@@ -95,12 +98,12 @@ JointState start_of_joints(LegId leg, const StepStart& start) {
   return from;
 }
 
-// Without positions, those to which the velocities lead in the shortest time; without these, none.
-JointKnot completed(JointKnot knot, const JointState& from, const PlannerParams& params) {
+// Without positions, those to which the velocities lead in this time; without these, the present.
+JointKnot completed(JointKnot knot, const JointState& from, double duration) {
   for (int k = 0; k < 3; ++k) {
     if (!std::isnan(knot.q[k])) continue;
     const double mean = std::isnan(knot.qd[k]) ? 0.0 : 0.5 * (from.qd[k] + knot.qd[k]);
-    knot.q[k] = from.q[k] + mean * params.min_target_duration;
+    knot.q[k] = from.q[k] + mean * duration;
   }
   return knot;
 }
@@ -114,7 +117,7 @@ ControlMode mode_of(const JointKnot& knot) {
 void plan_joint_target(LegPlan& plan, const action::JointTarget& target, const StepStart& start,
                        const PlannerParams& params, double duration) {
   const JointState from = start_of_joints(target.leg, start);
-  JointKnot knot = completed(target.target, from, params);
+  JointKnot knot = completed(target.target, from, std::max(duration, params.min_target_duration));
   knot.time = std::max(duration, joint_duration(from.q, knot.q, target.average_velocity,
                                                 params.min_target_duration));
   plan.kind = LegPlan::Kind::joints;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <hexagait/core/preview.hpp>
+#include <hexagait/core/recorded_plant.hpp>
 #include <hexagait/core/violations.hpp>
 
 namespace hexagait {
@@ -60,6 +61,7 @@ class Examiner {
            "the legs that stand while it is lifted don't carry the centre of mass; move the base "
            "first, for example by a step with base_auto alone");
     refused_ = plan.cause == Cause::unstable;
+    lies_ = lies_ && !plan.moves_base;
   }
 
   void look_at_leg(LegId leg, const ActionRunner& runner) {
@@ -85,7 +87,9 @@ class Examiner {
   }
 
   void look_at_margin(const ActionRecord& record) {
-    if (record.desired.support.empty()) return;  // the body lies on something else
+    // Without support the body lies on something else, until it is moved.
+    lies_ = lies_ || record.desired.support.empty();
+    if (lies_) return;
     margin_ = std::min(margin_, record.margin);
     if (record.margin >= preview_.least_margin) return;
     preview_.least_margin = record.margin;
@@ -127,6 +131,7 @@ class Examiner {
   LegSet beyond_, fast_;  ///< legs about which that was said in this step
   double margin_ = 0.0;   ///< least in this step [m]
   bool refused_ = false;
+  bool lies_ = false;
 };
 
 }  // namespace
@@ -143,18 +148,21 @@ Preview preview(const RobotModel& model, const LegArray<LegJoints>& joints,
                 const std::function<void(const ActionRecord&)>& observe) {
   Preview preview;
   ActionRunner runner(model, lenient(params.runner));
-  const Measurement measurement{0.0, joints, LegArray<bool>(model.num_legs(), true)};
+  const double dt = params.runner.control_dt;
+  PreviewPlant plant(joints, dt);
+  Measurement measurement;
+  (void)plant.read(measurement);
   runner.start(measurement, params.rests_on);
   runner.submit(action);
   Examiner examiner(model, action, params, preview);
 
-  const double dt = params.runner.control_dt;
   const auto most_ticks = static_cast<long>(params.most_seconds / dt);
   long ticks = 0;
   while (!runner.idle() && ticks < most_ticks) {
-    Measurement now = measurement;
-    now.time = static_cast<double>(++ticks) * dt;
-    const ActionRecord& record = runner.tick(PlantStatus::fresh, now);
+    ++ticks;
+    const PlantStatus status = plant.read(measurement);
+    const ActionRecord& record = runner.tick(status, measurement);
+    plant.write(record.desired.targets);
     examiner.look(runner);
     if (observe) observe(record);
   }

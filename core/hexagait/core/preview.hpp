@@ -26,7 +26,7 @@ struct Finding {
 struct PreviewParams {
   RunnerParams runner;
   RestsOn rests_on = RestsOn::feet;  ///< when the action starts
-  double narrow_margin = 0.01;  ///< [m]
+  double narrow_margin = 0.01;       ///< [m]
   double most_seconds = 3600.0;
 };
 

@@ -35,6 +35,12 @@ Sequencer::Sequencer(const RobotModel& model, const SequencerParams& params)
       planner_(model, params.planner),
       beyond_(model.num_legs(), 0.0) {}
 
+void Sequencer::reset() {
+  Sequencer fresh(*model_, params_);
+  fresh.handle_custom(handler_, context_);
+  *this = std::move(fresh);
+}
+
 void Sequencer::submit(action::Action action, Preemption preemption, Executor& executor) {
   planner_.reserve(action, executor);
   next_action_ = std::move(action);
@@ -140,19 +146,21 @@ void Sequencer::advance_step(Executor& executor, const StepStart& start, double 
 // Feet that don't find the ground, lose it, or can't get where they are to be.
 void Sequencer::watch(const Executor& executor, double dt) noexcept {
   regaining_ = false;
+  LegId doubtful = -1;  // touches, for how long is not known yet
   for (LegId i = 0; i < beyond_.size(); ++i) {
     const LegLane& lane = executor.legs()[i];
     if (lane.exhausted && !given_up_.contains(i))
       return fail(lane.lost ? Cause::lost_contact : Cause::no_contact, i);
     regaining_ = regaining_ || (lane.lost && lane.phase == LegPhase::search);
+    if (!lane.confirmed && lane.phase == LegPhase::support) doubtful = i;
 
     const bool moves = lane.phase == LegPhase::follow || lane.on_ground();
     beyond_[i] = moves && !executor.reachable(i) ? beyond_[i] + dt : 0.0;
     if (beyond_[i] > params_.reach_time && params_.planner.refuses)
       return fail(Cause::out_of_reach, i);
   }
-  if (regaining_) regain_time_ += dt;
-  if (regain_time_ > params_.regain_limit) fail(Cause::lost_contact);
+  if (regaining_ || doubtful >= 0) regain_time_ += dt;
+  if (regain_time_ > params_.regain_limit) fail(Cause::lost_contact, doubtful);
 }
 
 bool Sequencer::step_done(const Executor& executor) const noexcept {

@@ -43,6 +43,9 @@ class Sequencer {
  public:
   Sequencer(const RobotModel& model, const SequencerParams& params);
 
+  /// Forgets all actions; the handler stays.
+  void reset();
+
   /// Accepts an action, to be carried out when `preemption` allows. One that was accepted before
   /// and has not begun is dropped. Allocates: call it between ticks.
   void submit(action::Action action, Preemption preemption, Executor& executor);

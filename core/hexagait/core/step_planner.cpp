@@ -12,6 +12,11 @@ namespace {
 // A base that is farther than this from its plan starts anew from where it is [m], [rad].
 constexpr double kNearPlan = 0.03;
 
+// A height that the legs miss by more than this is not kept for the next BaseAuto [m].
+constexpr double kHeightLost = 0.05;
+
+constexpr double kTimeTolerance = 1e-9;  // [s]
+
 // Legs that the commands of a step take out of support.
 LegSet lifted_by(const action::Step& step) {
   LegSet legs;
@@ -37,11 +42,11 @@ LegSet without(LegSet a, LegSet b) { return LegSet(a.bits() & ~b.bits()); }
 BaseState start_of_base(const StepStart& start) {
   BaseState from{start.state.X_OB, start.executor.base().twist()};
   if (!start.executor.base_follows()) return from;
-  const Pose X_OD = start.executor.base_plan().curve.at(start.executor.base_time()).X_AB;
+  const BaseState& planned = start.executor.base_planned();
+  const Pose& X_OD = planned.X_AB;
   const bool near = (X_OD.p - from.X_AB.p).norm() < kNearPlan &&
                     rotation_vector(X_OD.R.transpose() * from.X_AB.R).norm() < kNearPlan;
-  if (near) from.X_AB = X_OD;
-  return from;
+  return near ? planned : from;
 }
 
 double mean_height(const StanceProblem& problem) {
@@ -63,6 +68,16 @@ Vector3 passing(const Vector3& before, const Vector3& after) {
 
 StepPlanner::StepPlanner(const RobotModel& model, const PlannerParams& params) : params_(params) {
   plan_.legs = LegArray<LegPlan>(model.num_legs());
+}
+
+StepPlanner& StepPlanner::operator=(const StepPlanner& other) {
+  if (this == &other) return *this;
+  params_ = other.params_;
+  plan_ = other.plan_;
+  foot_knots_.reserve(other.foot_knots_.capacity());
+  base_knots_.reserve(other.base_knots_.capacity());
+  height_ = other.height_;
+  return *this;
 }
 
 void StepPlanner::reserve(const action::Action& action, Executor& executor) {
@@ -155,17 +170,19 @@ void StepPlanner::plan_base(const action::Step& step, const action::Step* next,
     base_knots_.push_back({goal.duration, goal.X_OB});
   }
 
-  // The base and what goes by rates wait for each other.
+  // The base and what goes by rates wait for each other; both end together.
   double& time = base_knots_.back().time;
   const bool rates = !std::holds_alternative<action::BaseTrajectory>(step.base->motion);
   if (!ignores_legs) {
     double longest = time;
     for (const action::LegCommand& command : step.legs)
-      longest = std::max(longest, plan_.legs[leg_motion(command).leg].duration);
+      longest = std::max(longest, time_of(leg_motion(command).leg, start));
     if (rates) time = longest;
-    for (const action::LegCommand& command : step.legs)
-      if (rate_based(command))
-        stretch(plan_.legs[leg_motion(command).leg], command, longest, start, params_);
+    for (const action::LegCommand& command : step.legs) {
+      const LegId leg = leg_motion(command).leg;
+      const double before = time_of(leg, start) - plan_.legs[leg].duration;
+      if (rate_based(command)) stretch(plan_.legs[leg], command, longest - before, start, params_);
+    }
   }
   plan_.base.curve.plan(from, base_knots_, end_twist(step, next, start, from.X_AB));
   plan_.duration = std::max(plan_.duration, time);
@@ -219,8 +236,10 @@ Pose StepPlanner::best_stance(const action::BaseAuto& command, const action::Ste
   LegSet lifted = lifted_by(step);
   if (lifted.empty() && next) lifted = lifted_by(*next);
   const StanceProblem problem = stance_problem(command, lifted, ignored_by(step), start);
-  height_ = problem.height;
   plan_.stance = params_.stance(start.model, problem);
+  const double height = plan_.stance.X_OB.p.z() - mean_height(problem);
+  const bool too_high = problem.height > height + kHeightLost;
+  if (plan_.stance.reachable()) height_ = too_high ? height : problem.height;
   if (!plan_.stance.reachable() && plan_.cause == Cause::none) {
     plan_.cause = Cause::out_of_reach;
     plan_.leg = first_of(plan_.stance.out_of_reach);
@@ -229,13 +248,17 @@ Pose StepPlanner::best_stance(const action::BaseAuto& command, const action::Ste
 }
 
 // The base passes from step to step without a stop where the next one moves it on. Not if legs are
-// to land in this one: they may be late.
+// to land in this one: they may be late; nor if anything else lasts longer.
 Twist StepPlanner::end_twist(const action::Step& step, const action::Step* next,
                              const StepStart& start, const Pose& from) const noexcept {
   if (!next || !next->base) return {};
-  for (const action::LegCommand& command : step.legs)
-    if (!leg_motion(command).ignore_contact) return {};
   const BaseKnot& end = base_knots_.back();
+  double longest = plan_.duration;
+  for (const action::LegCommand& command : step.legs) {
+    if (!leg_motion(command).ignore_contact) return {};
+    longest = std::max(longest, time_of(leg_motion(command).leg, start));
+  }
+  if (longest > end.time + kTimeTolerance) return {};
   const std::size_t n = base_knots_.size();
   const BaseKnot before = n > 1 ? base_knots_[n - 2] : BaseKnot{0.0, from};
   const BaseKnot after = first_goal(*next, end, start);
@@ -252,13 +275,17 @@ Twist StepPlanner::end_twist(const action::Step& step, const action::Step* next,
 // The first pose to which a step moves the base, and in what time, as far as is known before.
 BaseKnot StepPlanner::first_goal(const action::Step& step, const BaseKnot& from,
                                  const StepStart& start) const noexcept {
+  // What is given in the body is meant from where the body will be then.
+  const auto in_odom = [&from, &start](FrameId frame) {
+    const Placement place = start.step_frames.place(frame, start.frames, start.state);
+    return place.in_body ? from.X_AB * place.X_PA : place.X_PA;
+  };
   if (const auto* t = std::get_if<action::BaseTrajectory>(&step.base->motion)) {
     const BaseKnot& knot = t->knots.front();
-    return {knot.time, start.step_frames.in_odom(t->frame, start.frames, start.state) * knot.X_AB};
+    return {knot.time, in_odom(t->frame) * knot.X_AB};
   }
   if (const auto* target = std::get_if<action::BaseTarget>(&step.base->motion)) {
-    const Pose X_OB =
-        start.step_frames.in_odom(target->frame, start.frames, start.state) * target->X_AB;
+    const Pose X_OB = in_odom(target->frame) * target->X_AB;
     return {base_duration(from.X_AB, X_OB, target->average_linear_velocity,
                           target->average_angular_velocity, params_.min_base_target_duration),
             X_OB};

@@ -20,10 +20,16 @@ struct StepPlan {
   StancePose stance;          ///< of the last BaseAuto
 };
 
-/// From commands to motions over time: frames, durations, pose adaptation.
+/// From commands to motions over time: frames, durations, pose adaptation. A value: a copy has the
+/// same room.
 class StepPlanner {
  public:
   StepPlanner(const RobotModel& model, const PlannerParams& params);
+  StepPlanner(const StepPlanner& other) { *this = other; }
+  StepPlanner(StepPlanner&&) noexcept = default;
+  StepPlanner& operator=(const StepPlanner& other);
+  StepPlanner& operator=(StepPlanner&&) noexcept = default;
+  ~StepPlanner() = default;
 
   /// Room for all steps of an action, here and in the executor. Nothing else allocates.
   void reserve(const action::Action& action, Executor& executor);
