@@ -33,7 +33,7 @@ std::string action_file(const std::string& action) {
   throw InvalidInput(fmt::format(
       "action '{}' does not exist{}; give the path of a YAML file, or one of the actions that come "
       "with hexagait: {}",
-      action, meant ? fmt::format("; did you mean '{}'?", *meant) : "", fmt::join(known, ", ")));
+      action, meant ? fmt::format(" (did you mean '{}'?)", *meant) : "", fmt::join(known, ", ")));
 }
 
 std::map<std::string, std::string> placeholders(const std::vector<std::string>& set) {

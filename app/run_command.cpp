@@ -56,7 +56,7 @@ int preview_command(const ActionArguments& arguments) {
 }
 
 // The first interrupt stops the action, so that the robot comes to a stance; the second ends all.
-walk::ActionSummary simulate(const ActionInput& input, Figure& figure, bool quiet) {
+walk::ActionSummary simulate(const ActionInput& input, double seconds, Figure& figure, bool quiet) {
   sim3d::WorldParams params;
   params.seed = input.seed;
   params.start_height = input.start.height;
@@ -64,6 +64,7 @@ walk::ActionSummary simulate(const ActionInput& input, Figure& figure, bool quie
   ActionRunner runner(input.robot);
   walk::ActionTrialOptions options;
   options.rests_on = input.start.rests_on;
+  options.seconds = 2.0 * seconds + 60.0;  // more than any search for ground takes
 
   const std::atomic<int>& interrupts = count_interrupts();
   StepProgress progress(quiet);
@@ -91,7 +92,7 @@ int run_command(const ActionArguments& arguments) {
     return kFailed;
   }
 
-  report.summary = simulate(input, figure, arguments.quiet);
+  report.summary = simulate(input, report.ahead.seconds, figure, arguments.quiet);
   report.interrupted = count_interrupts() > 0;
   fmt::print("{}", arguments.json ? run_json(report) + "\n" : run_in_words(report));
   std::fflush(stdout);

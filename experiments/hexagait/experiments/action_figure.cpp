@@ -99,6 +99,7 @@ std::string variables(const ActionFigure& figure, const ActionRecording& recordi
 }
 
 constexpr const char* kScript = R"(
+set datafile columnheaders
 set multiplot
 small = sized("", 9)
 set label 1 headline at screen 0.05, 0.965 left noenhanced font sized("", 15) textcolor rgb ink
