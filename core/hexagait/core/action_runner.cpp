@@ -64,8 +64,7 @@ void ActionRunner::report() noexcept {
   desired.normal_O = LegArray<Vector3>(model_->num_legs());
   for (LegId i = 0; i < model_->num_legs(); ++i) desired.normal_O[i] = executor_.legs()[i].normal_O;
   desired.base_follows = executor_.base_follows();
-  desired.X_OB =
-      desired.base_follows ? executor_.base_plan().curve.at(executor_.base_time()).X_AB : X_OB;
+  desired.X_OB = desired.base_follows ? executor_.base_planned().X_AB : X_OB;
   desired.V_B = executor_.base().twist();
   desired.force_O = {0.0, 0.0, model_->mass * params_.executor.gravity};
   record_.margin = stability_margin(support_polygon(record_.state.p_OF, desired.support),

@@ -59,12 +59,15 @@ void Executor::command(LegId leg, const LegPlan& plan, const RobotState& state,
   // A leg that was driven by efforts starts from where it is.
   if (targets_.mode[leg] == ControlMode::effort) legs_[leg].p_BF = state.p_BF[leg];
   hexagait::command(legs_[leg], plans_[leg], state.X_OB);
-  if (legs_[leg].phase == LegPhase::follow) legs_[leg].time = begin;
+  if (legs_[leg].phase != LegPhase::follow) return;
+  legs_[leg].time = begin;
+  legs_[leg].p_plan = plan.foot.at(begin).p;
 }
 
 void Executor::command(const BasePlan& plan, double begin) noexcept {
   base_plan_ = plan;
   base_time_ = begin;
+  base_planned_ = base_plan_.curve.at(begin);
   base_follows_ = true;
 }
 
@@ -95,8 +98,8 @@ void Executor::move_base(const RobotState& state, double dt) noexcept {
 void Executor::follow_base(const RobotState& state, double dt) noexcept {
   const double begin = base_time_, end = base_plan_.curve.duration();
   base_time_ = std::min(begin + rate_ * dt, end);
-  const BaseState now = base_plan_.curve.at(begin);
-  const BaseState middle = base_plan_.curve.at(0.5 * (begin + base_time_));
+  const BaseState now = base_planned_;
+  base_planned_ = base_plan_.curve.at(base_time_);
   const double share = (base_time_ - begin) / dt;
 
   // What is to go on moving behind the end of its plan, and was not given another one, brakes.
@@ -111,13 +114,14 @@ void Executor::follow_base(const RobotState& state, double dt) noexcept {
   Vector3 w = p.correction_rate * rotation_vector(R_BD);
   if (v.norm() > p.correction_speed) v *= p.correction_speed / v.norm();
   if (w.norm() > p.correction_turn) w *= p.correction_turn / w.norm();
-  // The rest of a tick in which the plan ends goes on as it ended.
-  const Twist last = base_plan_.curve.at(base_time_).V_B;
-  const double rest = rate_ - share;
-  v += R_BD * (share * middle.V_B.v + rest * last.v);
-  w += R_BD * (share * middle.V_B.w + rest * last.w);
+  // The trapezoidal rule; the rest of a tick in which the plan ends goes on as it ended.
+  const Twist& last = base_planned_.V_B;
+  const double rest = rate_ - 0.5 * share;
+  v += R_BD * (0.5 * share * now.V_B.v + rest * last.v);
+  w += R_BD * (0.5 * share * now.V_B.w + rest * last.w);
   base_ = {{v.head<2>(), w.z()}, v.z(), w.x(), w.y()};
-  base_error_ = base_error(state.X_OB, state.V_B, now.X_AB, now.V_B);
+  if (params_.controller == WholeBodyController::virtual_model)
+    base_error_ = base_error(state.X_OB, state.V_B, now.X_AB, now.V_B);
 }
 
 void Executor::move_legs(const RobotState& state, double dt) noexcept {

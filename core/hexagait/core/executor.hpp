@@ -79,6 +79,8 @@ class Executor {
   [[nodiscard]] bool base_follows() const { return base_follows_; }
   [[nodiscard]] const BasePlan& base_plan() const { return base_plan_; }
   [[nodiscard]] double base_time() const { return base_time_; }
+  /// Where its plan wants the base now, if it follows one.
+  [[nodiscard]] const BaseState& base_planned() const { return base_planned_; }
   [[nodiscard]] bool reachable(LegId leg) const { return reachable_[leg]; }
   [[nodiscard]] const JointTargets& targets() const { return targets_; }
   [[nodiscard]] const ExecutorParams& params() const { return params_; }
@@ -117,6 +119,7 @@ class Executor {
   BasePlan base_plan_;
   bool base_follows_ = false;
   double base_time_ = 0.0;  ///< in its plan [s]
+  BaseState base_planned_;  ///< at that time
   BaseError base_error_;    ///< against the plan; none without one
 };
 

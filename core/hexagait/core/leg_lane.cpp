@@ -229,6 +229,7 @@ void command(LegLane& lane, const LegPlan& plan, const Pose& X_OB) noexcept {
   lane.with_body = plan.with_body();
   lane.lost = lane.exhausted = false;
   lane.after_unload = LegPhase::follow;
+  lane.p_plan = plan.foot.at(0.0).p;
   begin_step(lane, stood ? LegPhase::unload : LegPhase::follow, X_OB);
   lane.cleared = !stood;
 }
@@ -238,18 +239,19 @@ void follow(LegLane& lane, const LegPlan& plan, const LegSensed& sensed, const P
   lane.lifted = lane.touched_down = false;
   ramp(lane.load, 0.0, dt / params.unload_time);
   lane.cleared = lane.cleared || !sensed.contact;
-  const double begin = lane.time;
-  lane.time = std::min(begin + rate * dt, plan.duration);
+  lane.time = std::min(lane.time + rate * dt, plan.duration);
 
-  // As far as the curve goes in this time, and back to it. Of what the joints do the executor knows.
+  // As far as the curve goes in this time, and back to it. Of what the joints do the executor
+  // knows.
   if (plan.kind != LegPlan::Kind::foot) {
     lane.a_O.setZero();
     if (plan.kind == LegPlan::Kind::keep) lane.v_O.setZero();
   } else {
-    const PointState from = plan.foot.at(begin), to = plan.foot.at(lane.time);
+    const PointState to = plan.foot.at(lane.time);
     const Matrix3 R_BA = plan.in_body ? Matrix3::Identity() : Matrix3(X_OB.R.transpose());
     const Vector3 p_A = plan.in_body ? lane.p_BF : X_OB * lane.p_BF;
-    lane.p_BF += R_BA * (to.p - from.p + params.follow_rate * dt * (from.p - p_A));
+    lane.p_BF += R_BA * (to.p - lane.p_plan + params.follow_rate * dt * (lane.p_plan - p_A));
+    lane.p_plan = to.p;
     const Matrix3 R_OA = plan.in_body ? X_OB.R : Matrix3::Identity();
     lane.v_O = R_OA * (rate * to.v);
     lane.a_O = R_OA * (rate * to.a);

@@ -97,6 +97,7 @@ struct LegLane {
   Vector3 normal_O = Vector3::UnitZ();  ///< of the ground that is expected
   bool with_body = false;               ///< the plan is in the body frame, or in joints
   bool lost = false;                    ///< searches for the ground it stood on
+  Vector3 p_plan = Vector3::Zero();     ///< where the plan of a foot is now, in its frame [m]
   bool exhausted = false;               ///< has searched as far as it reaches, or for too long
 
   /// The foot stands where it is, loaded or not.

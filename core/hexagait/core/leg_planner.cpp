@@ -117,8 +117,7 @@ ControlMode mode_of(const JointKnot& knot) {
 void plan_joint_target(LegPlan& plan, const action::JointTarget& target, const StepStart& start,
                        const PlannerParams& params, double duration) {
   const JointState from = start_of_joints(target.leg, start);
-  JointKnot knot =
-      completed(target.target, from, std::max(duration, params.min_target_duration));
+  JointKnot knot = completed(target.target, from, std::max(duration, params.min_target_duration));
   knot.time = std::max(duration, joint_duration(from.q, knot.q, target.average_velocity,
                                                 params.min_target_duration));
   plan.kind = LegPlan::Kind::joints;

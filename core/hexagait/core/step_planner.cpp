@@ -12,6 +12,9 @@ namespace {
 // A base that is farther than this from its plan starts anew from where it is [m], [rad].
 constexpr double kNearPlan = 0.03;
 
+// A height that the legs miss by more than this is not kept for the next BaseAuto [m].
+constexpr double kHeightLost = 0.05;
+
 constexpr double kTimeTolerance = 1e-9;  // [s]
 
 // Legs that the commands of a step take out of support.
@@ -39,7 +42,7 @@ LegSet without(LegSet a, LegSet b) { return LegSet(a.bits() & ~b.bits()); }
 BaseState start_of_base(const StepStart& start) {
   BaseState from{start.state.X_OB, start.executor.base().twist()};
   if (!start.executor.base_follows()) return from;
-  const BaseState planned = start.executor.base_plan().curve.at(start.executor.base_time());
+  const BaseState& planned = start.executor.base_planned();
   const Pose& X_OD = planned.X_AB;
   const bool near = (X_OD.p - from.X_AB.p).norm() < kNearPlan &&
                     rotation_vector(X_OD.R.transpose() * from.X_AB.R).norm() < kNearPlan;
@@ -178,8 +181,7 @@ void StepPlanner::plan_base(const action::Step& step, const action::Step* next,
     for (const action::LegCommand& command : step.legs) {
       const LegId leg = leg_motion(command).leg;
       const double before = time_of(leg, start) - plan_.legs[leg].duration;
-      if (rate_based(command))
-        stretch(plan_.legs[leg], command, longest - before, start, params_);
+      if (rate_based(command)) stretch(plan_.legs[leg], command, longest - before, start, params_);
     }
   }
   plan_.base.curve.plan(from, base_knots_, end_twist(step, next, start, from.X_AB));
@@ -235,7 +237,9 @@ Pose StepPlanner::best_stance(const action::BaseAuto& command, const action::Ste
   if (lifted.empty() && next) lifted = lifted_by(*next);
   const StanceProblem problem = stance_problem(command, lifted, ignored_by(step), start);
   plan_.stance = params_.stance(start.model, problem);
-  if (plan_.stance.reachable()) height_ = problem.height;  // what can't be is not remembered
+  const double height = plan_.stance.X_OB.p.z() - mean_height(problem);
+  const bool too_high = problem.height > height + kHeightLost;
+  if (plan_.stance.reachable()) height_ = too_high ? height : problem.height;
   if (!plan_.stance.reachable() && plan_.cause == Cause::none) {
     plan_.cause = Cause::out_of_reach;
     plan_.leg = first_of(plan_.stance.out_of_reach);
