@@ -9,6 +9,7 @@ pkg_check_modules(ode REQUIRED IMPORTED_TARGET ode)
 
 if(HEXAGAIT_TESTS)
   find_package(GTest REQUIRED)
+  find_package(rapidcheck REQUIRED)
   include(GoogleTest)
   find_package(rapidcheck REQUIRED)
   pkg_check_modules(nlopt REQUIRED IMPORTED_TARGET nlopt)            # an oracle of optimisation
