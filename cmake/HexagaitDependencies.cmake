@@ -11,7 +11,6 @@ if(HEXAGAIT_TESTS)
   find_package(GTest REQUIRED)
   find_package(rapidcheck REQUIRED)
   include(GoogleTest)
-  find_package(rapidcheck REQUIRED)
   pkg_check_modules(nlopt REQUIRED IMPORTED_TARGET nlopt)            # an oracle of optimisation
   pkg_check_modules(orocos_kdl REQUIRED IMPORTED_TARGET orocos-kdl)  # an oracle of kinematics
 endif()
