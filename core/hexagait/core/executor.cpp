@@ -206,8 +206,14 @@ LegSolution Executor::wanted_joints(LegId leg, const RobotState& state) noexcept
   const LegPlan& plan = plans_[leg];
   if (!led_by_joints(leg)) return inverse_kinematics(model, lane.p_BF);
   if (lane.phase == LegPhase::hold) return {targets_.q[leg], trig_[leg], true};
-  const LegJoints q = plan.mode == ControlMode::effort ? state.q[leg] : plan.joints.at(lane.time).q;
-  return {q, leg_trig(model, q), true};
+  const bool driven = plan.mode == ControlMode::effort;  // wherever efforts take it
+  const LegJoints asked = driven ? state.q[leg] : plan.joints.at(lane.time).q;
+  LegJoints q = asked;
+  for (int k = 0; k < 3; ++k) {
+    const JointLimits& limits = model.limits[static_cast<std::size_t>(k)];
+    q[k] = std::clamp(q[k], limits.lower, limits.upper);
+  }
+  return {q, leg_trig(model, q), driven || within_limits(model, asked)};
 }
 
 void Executor::set_joints(const RobotState& state, double dt) noexcept {

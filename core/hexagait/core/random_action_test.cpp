@@ -308,10 +308,11 @@ class Play {
     judge_time(record);
   }
 
-  static void judge_numbers(const ActionRecord& record) {
+  void judge_numbers(const ActionRecord& record) const {
     const JointTargets& targets = record.desired.targets;
     for (LegId i = 0; i < targets.q.size(); ++i) {
       RC_ASSERT(targets.q[i].allFinite() && targets.qd[i].allFinite());
+      RC_ASSERT(within_limits(model_.legs[i], targets.q[i]));
       RC_ASSERT(targets.effort[i].allFinite() && record.desired.normal_O[i].allFinite());
       const LegLane& lane = record.legs[i];
       RC_ASSERT(lane.p_BF.allFinite() && lane.v_O.allFinite() && lane.a_O.allFinite());
