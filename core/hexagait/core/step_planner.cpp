@@ -118,7 +118,18 @@ const StepPlan& StepPlanner::plan(const action::Step& step, const action::Step* 
   if (plan_.moves_base) plan_base(step, next, start);
   for (LegId i = 0; i < plan_.legs.size(); ++i)
     if (plan_.moving.contains(i)) plan_.duration = std::max(plan_.duration, time_of(i, start));
+  keep_places(start);
   return plan_;
+}
+
+// A foot that was sent to a place in the world stays there to the end of the step, whatever the
+// base does. Only feet without a command move along with the base ([FG16] IV-A).
+void StepPlanner::keep_places(const StepStart& start) noexcept {
+  for (LegId i = 0; i < plan_.legs.size(); ++i) {
+    LegPlan& plan = plan_.legs[i];
+    if (plan_.moving.contains(i) && !plan.with_body() && !plan.lands)
+      plan.duration += plan_.duration - time_of(i, start);
+  }
 }
 
 void StepPlanner::plan_legs(const action::Step& step, const StepStart& start) noexcept {

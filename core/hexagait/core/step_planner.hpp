@@ -52,6 +52,7 @@ class StepPlanner {
   void refuse_to_tip(const action::Step& step, const StepStart& start) noexcept;
   void plan_base(const action::Step& step, const action::Step* next,
                  const StepStart& start) noexcept;
+  void keep_places(const StepStart& start) noexcept;
   [[nodiscard]] double time_of(LegId leg, const StepStart& start) const noexcept;
   [[nodiscard]] BaseGoalPose base_goal(const action::Step& step, const action::Step* next,
                                        const StepStart& start, const Pose& from) noexcept;

@@ -152,6 +152,23 @@ TEST(ActionTrial, WalksAStrideInEveryCycle) {
   }
 }
 
+// "Keeping the right front foot in the air at same position" while the body goes down and up
+// ([FG16] IV-A): 0.2 m above the centres of the others, at 0.02 m.
+TEST(ActionTrial, KeepsTheFootInItsPlaceInThePushUp) {
+  const Case c{.action = "push_up", .robot = "quadruped"};
+  double lowest = 1.0, highest = 0.0;
+  const auto watch = [&](const ActionRecord& record, const GroundTruth& truth) {
+    const int step = record.feedback.step;
+    if (step != 3 && step != 4) return true;
+    lowest = std::min(lowest, truth.feet[1].p_WF.z());
+    highest = std::max(highest, truth.feet[1].p_WF.z());
+    return true;
+  };
+  EXPECT_TRUE(run(c, load(c), 1, watch).ok());
+  EXPECT_NEAR(lowest, 0.22, 0.005);
+  EXPECT_NEAR(highest, 0.22, 0.005);
+}
+
 TEST(ActionTrial, BringsTheBodyUpTheStep) {
   const Case c{.action = "step_climb", .terrain = "step:12cm"};
   double z = 0.0;
