@@ -80,7 +80,7 @@ TEST(Terrain, IsAFunctionOfSpecAndSeed) {
 
 TEST(Terrain, IsFlatUnderTheStart) {
   RandomSequence random{.seed = 1};
-  for (const Kind kind : {Kind::flat, Kind::boxes, Kind::steps}) {
+  for (const Kind kind : {Kind::flat, Kind::boxes, Kind::steps, Kind::step}) {
     const Terrain terrain({kind, 0.2}, 3);
     for (int k = 0; k < 1000; ++k) {
       // Half a sample of the heightfield lies on the ramp that leads off the pad.
@@ -146,6 +146,20 @@ TEST(Terrain, StepsHaveNoVerticalFaces) {
     largest = std::max(largest, std::abs(change));
   }
   EXPECT_GT(largest, 0.1 * most);
+}
+
+// Whatever the seed.
+TEST(Terrain, OfAStepIsUpFromTheEndOfTheStartPadOn) {
+  for (const std::uint64_t seed : {1U, 2U}) {
+    const Terrain terrain(parse_terrain("step:12cm"), seed);
+    for (int k = -60; k <= 60; ++k) {
+      const double y = 0.3 * k + 0.1;
+      EXPECT_EQ(terrain.height_at(-20.0, y), 0.0);
+      EXPECT_EQ(terrain.height_at(0.6 - 1e-9, y), 0.0);
+      EXPECT_EQ(terrain.height_at(0.6 + 1e-9, y), 0.12);
+      EXPECT_EQ(terrain.height_at(20.0, y), 0.12);
+    }
+  }
 }
 
 TEST(KnownTerrains, AreAllUnderstood) {

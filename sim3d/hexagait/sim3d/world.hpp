@@ -10,8 +10,16 @@
 #include <hexagait/sim3d/terrain.hpp>
 #include <limits>
 #include <memory>
+#include <vector>
 
 namespace hexagait::sim3d {
+
+/// A box that stands in the world, its edges along the axes, and does not move: what lies in the
+/// way and nobody knows of.
+struct Block {
+  Vector3 centre = Vector3::Zero();       ///< [m]
+  Vector3 size = Vector3::Constant(0.1);  ///< edges [m]
+};
 
 /// How a World is simulated. The defaults suit a robot of some 50 kg.
 struct WorldParams {
@@ -72,6 +80,9 @@ struct WorldParams {
   /// lies on its belly.
   double start_height = -std::numeric_limits<double>::infinity();
 
+  /// On the terrain, which knows nothing of them: Terrain::height_at() is the ground without.
+  std::vector<Block> blocks;
+
   /// Clamps the base to a test stand: it stays where it starts and the legs hang from it.
   bool base_on_stand = false;
 };
@@ -113,6 +124,10 @@ class World : public Plant {
   /// finite close the plant.
   /// @pre targets for as many legs as the robot has
   void write(const JointTargets& targets) override;
+
+  /// Somebody pushes the base: a force at the base link's centre of mass [N], world axes, for so
+  /// long from now on [s], to whole physics steps. A later push takes the place of an earlier one.
+  void push(const Vector3& force_W, double seconds);
 
   /// For the referee alone.
   [[nodiscard]] const GroundTruth& truth() const;

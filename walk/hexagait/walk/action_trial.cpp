@@ -140,7 +140,8 @@ ActionSummary run_action(ActionRunner& runner, Plant& plant, const GroundTruth& 
 
   PlantStatus status = PlantStatus::fresh;
   const auto tick = [&] {
-    runner.frames().X_OM = runner.record().state.X_OB * truth.X_WB.inverse();
+    runner.frames().X_OM = options.localisation ? options.localisation(runner.record(), truth)
+                                                : runner.record().state.X_OB * truth.X_WB.inverse();
     const ActionRecord& record = runner.tick(status, measurement);
     plant.write(record.desired.targets);
     referee.observe(record, truth);

@@ -9,11 +9,16 @@
 
 namespace hexagait::walk {
 
+/// Where the map is in odom (X_OM), by a localisation: asked before every tick. It may be noisy and
+/// jump, as they do.
+using Localisation = std::function<Pose(const ActionRecord&, const GroundTruth&)>;
+
 struct ActionTrialOptions {
   double settle = 0.2;               ///< the plant stands for so long before the action begins [s]
   double rest = 0.5;                 ///< and is watched for so long after it [s]
   double seconds = 600.0;            ///< the action may take so long; then it is stopped [s]
   RestsOn rests_on = RestsOn::feet;  ///< how the robot is taken over
+  Localisation localisation = {};    ///< none: one that knows the truth; map is the world
 };
 
 /// How an action went, by ground truth.
@@ -44,7 +49,6 @@ struct ActionSummary {
 using ActionObserver = std::function<bool(const ActionRecord&, const GroundTruth&)>;
 
 /// Carries out an action: the loop of plant and controller, to the action's result, or to a fall.
-/// The map is the world: localisation that knows the truth.
 /// @param runner  is started anew; the observer may stop() or pause() it
 /// @param truth   the plant's ground truth, which it keeps up to date
 [[nodiscard]] ActionSummary run_action(ActionRunner& runner, Plant& plant, const GroundTruth& truth,

@@ -52,6 +52,10 @@ void check_params(Violations& violations, const WorldParams& p) {
   not_negative("start_clearance [m]", p.start_clearance);
   if (!(p.start_height < kFarthestStart))
     violations.add("start_height [m]", in_words(p.start_height) + " must be less than 100 km");
+  for (const Block& block : p.blocks) {
+    if (block.centre.allFinite() && block.size.allFinite() && block.size.minCoeff() > 0.0) continue;
+    violations.add("blocks [m]", "must be finite, with edges that are positive");
+  }
   if (!(p.start.shift.norm() < kFarthestStart) || !std::isfinite(p.start.angle)) {
     violations.add("start", "must be finite and within 100 km of the origin");
   }
