@@ -258,7 +258,8 @@ void Executor::set_efforts(const RobotState& state, double dt) noexcept {
   for (LegId i = 0; i < n; ++i) {
     input.p_BF[i] = legs_[i].p_BF;
     input.load[i] = legs_[i].load;
-    input.normal_B[i] = state.X_OB.R.transpose() * legs_[i].normal_O;
+    if (params_.controller == WholeBodyController::virtual_model)
+      input.normal_B[i] = state.X_OB.R.transpose() * legs_[i].normal_O;
   }
   targets_.effort =
       joint_efforts(params_.controller, *model_, input, params_.gravity, params_.virtual_model);

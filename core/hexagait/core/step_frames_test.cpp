@@ -73,8 +73,7 @@ TEST(Adaptation, WithYawOnlyIsUpright) {
 TEST(Adaptation, IsForgottenByTheNextAction) {
   Scene scene;
   action::Action action;
-  action.adapt_coordinates = {{kFootprint, kOdom, {{}, {1, 0, 0}}, false}};
-  action.adapt_coordinates[0].X_S.R.setIdentity();
+  action.adapt_coordinates = {{kFootprint, kOdom, {Matrix3::Identity(), {1, 0, 0}}, false}};
   StepFrames frames;
   frames.start(action, scene.frames, scene.state);
   frames.start({}, scene.frames, scene.state);
