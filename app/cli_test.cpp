@@ -99,8 +99,9 @@ TEST_F(Cli, HelpsWithExamples) {
     EXPECT_THAT(result.err, IsEmpty());
   }
   EXPECT_THAT(run("--version").out, HasSubstr("hexagait 0."));
-  EXPECT_THAT(run("experiment --list").out, AllOf(HasSubstr("table1"), HasSubstr("fig7b"),
-                                                  HasSubstr("fig9"), HasSubstr("fig10")));
+  EXPECT_THAT(run("experiment --list").out,
+              AllOf(HasSubstr("table1"), HasSubstr("fig7b"), HasSubstr("fig9"), HasSubstr("fig10"),
+                    HasSubstr("fg16_fig6"), HasSubstr("fg16_fig7")));
   EXPECT_THAT(run("terrains").out,
               AllOf(HasSubstr("flat"), HasSubstr("boxes:H"), HasSubstr("rough:H")));
 }

@@ -14,13 +14,24 @@ constexpr double kHeight = 0.32;         // of the base above the feet, for room
 constexpr double kClearance = 0.08;      // of a foot on its way [m]
 constexpr double kStepClearance = 0.06;  // above the higher level [m]
 
+// Where the level changes between two places, by bisection [m].
+double edge_between(double a, double b, double y, const sim3d::Terrain& terrain) {
+  const double level = terrain.height_at(a, y);
+  for (int k = 0; k < 40; ++k) {
+    const double middle = 0.5 * (a + b);
+    (terrain.height_at(middle, y) == level ? a : b) = middle;
+  }
+  return a;
+}
+
 // Away from a change of level, to the side on which it is.
 double off_edges(double x, double y, double gap, const sim3d::Terrain& terrain) {
   const double here = terrain.height_at(x, y);
-  for (double d = 0.0; d < gap; d += 0.001) {
-    if (terrain.height_at(x + d, y) != here) return x + d - gap;
-    if (terrain.height_at(x - d, y) != here) return x - d + gap;
-  }
+  constexpr int kProbes = 50;
+  for (int k = 1; k <= kProbes; ++k)
+    for (const double way : {gap * k / kProbes, -gap * k / kProbes})
+      if (terrain.height_at(x + way, y) != here)
+        return edge_between(x, x + way, y, terrain) - std::copysign(gap, way);
   return x;
 }
 
