@@ -158,7 +158,8 @@ void draw(StagedFiles& files, const Walk& combined, const Walk& odometry, const 
             "both'\n"
          << fmt::format(
                 "subtitle = '{} · {:.1f} m by footholds in the map · odometry is off by {:.1f} "
-                "cm in the end · a fix every {} s · after [FG16] Fig. 7'\n",
+                "cm in the end, for yaw joints that are off by 1° · a fix every {} s · after "
+                "[FG16] Fig. 7'\n",
                 robot.name, kRoute.end - kRoute.start, 100.0 * combined.summary.odometry_position,
                 JumpingLocalisation::Params{}.period)
          << kScript;

@@ -18,11 +18,15 @@ const RobotModel& argos() {
   return robot;
 }
 
+const Route kRoute = {.start = -1.0, .end = 0.0};  // odom is not the map
+
 // A short walk on the level by two pairs of footholds.
 FootTracks walked(double yaw_error, const walk::Localisation& localisation = {}) {
-  sim3d::World world(argos(), {}, {}, walk::nominal_posture(argos()));
+  sim3d::WorldParams params;
+  params.start.shift = {kRoute.start, 0.0};
+  sim3d::World world(argos(), {}, params, walk::nominal_posture(argos()));
   MiscalibratedPlant plant(world, yaw_error);
-  auto footholds = footholds_along({}, argos(), world.terrain());
+  auto footholds = footholds_along(kRoute, argos(), world.terrain());
   footholds.resize(2);
   ActionRunner runner(argos());
   FootTracks tracks;
@@ -44,7 +48,7 @@ const FootTracks& walked_well() {
 
 TEST(FootTracks, FindEachTouchdownAtItsFoothold) {
   const FootTracks& tracks = walked_well();
-  const auto footholds = footholds_along({}, argos(), sim3d::Terrain({}, 1));
+  const auto footholds = footholds_along(kRoute, argos(), sim3d::Terrain({}, 1));
   ASSERT_EQ(tracks.touchdowns().size(), 4U);
   for (const FootTracks::Touchdown& t : tracks.touchdowns()) {
     EXPECT_LT(t.error(), 0.003);
