@@ -18,7 +18,7 @@ const RobotModel& argos() {
 /// The nominal stance at a height, under a base at X_OB.
 StanceProblem nominal(const Pose& X_OB, double height) {
   StanceProblem problem;
-  problem.p_OF = LegArray<Vector3>(6);
+  problem.p_OF = LegArray<Vector3>(6, Vector3::Zero());
   for (LegId i = 0; i < 6; ++i) {
     const Vector3& p_BC = argos().legs[i].p_BC;
     problem.p_OF[i] = X_OB * Vector3(p_BC.x(), p_BC.y(), -height);
