@@ -32,14 +32,6 @@ double number(const char* option, const std::string& text, const Range& range) {
   return value;
 }
 
-std::uint64_t seed(const std::string& text) {
-  std::uint64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size())
-    throw InvalidInput(fmt::format("--seed is '{}'; it must be a whole number of 0 or more", text));
-  return value;
-}
-
 // Puts the name of the option before what its parser says.
 template <class Parser>
 auto option_value(const char* option, const std::string& text, const Parser& parse) {
@@ -133,6 +125,14 @@ bool walks_backward(const std::string& crab) {
 }
 
 }  // namespace
+
+std::uint64_t seed(const std::string& text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size())
+    throw InvalidInput(fmt::format("--seed is '{}'; it must be a whole number of 0 or more", text));
+  return value;
+}
 
 sim2d::GenghisTrial genghis_trial(const WalkArguments& arguments) {
   refuse_in_side_view(arguments);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <filesystem>
 #include <hexagait/experiments/simulation.hpp>
 #include <hexagait/sim2d/genghis.hpp>
 #include <string>
@@ -32,6 +33,13 @@ inline constexpr const char* kGenghis = "genghis2d";
 /// What was typed, as a walk of Genghis in the side view.
 /// @throws InvalidInput  naming the first option that is wrong or makes no sense there
 [[nodiscard]] sim2d::GenghisTrial genghis_trial(const WalkArguments& arguments);
+
+/// A whole number of 0 or more. @throws InvalidInput
+[[nodiscard]] std::uint64_t seed(const std::string& text);
+
+/// Where robots or actions lie: beside an installed command, else in the source tree it was built
+/// from.
+[[nodiscard]] std::filesystem::path shared_directory(const std::string& name);
 
 /// The file of a robot: a path to a URDF, or the name of a robot that comes with hexagait.
 /// @throws InvalidInput  if there is none, with the names that there are

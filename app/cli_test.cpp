@@ -1,87 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "cli_fixture.hpp"
+
 // The command as a user meets it: its exit status, what it prints where, what it leaves behind.
+namespace hexagait::app {
 namespace {
-
-namespace fs = std::filesystem;
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::IsEmpty;
-
-std::string content(const fs::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-struct Result {
-  int status = -1;
-  std::string out, err;
-};
-
-// Every test has an empty directory, in which the command runs. Output is caught outside of it.
-class Cli : public testing::Test {
- protected:
-  Cli() {
-    std::string pattern = testing::TempDir() + "hexagait-cli-XXXXXX";
-    root_ = mkdtemp(pattern.data());
-    fs::create_directory(here());
-  }
-  ~Cli() override { fs::remove_all(root_); }
-
-  [[nodiscard]] fs::path here() const { return root_ / "here"; }
-
-  pid_t start(const std::string& arguments) {
-    const std::string line = "cd '" + here().string() + "' && exec " + prefix_ +
-                             HEXAGAIT_COMMAND " " + arguments + " >../out 2>../err";
-    std::string shell = "sh", option = "-c", command = line;
-    char* const words[] = {shell.data(), option.data(), command.data(), nullptr};
-    pid_t child = 0;
-    EXPECT_EQ(posix_spawnp(&child, "sh", nullptr, nullptr, words, environ), 0);
-    return child;
-  }
-
-  Result finish(pid_t child) {
-    int status = 0;
-    waitpid(child, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(root_ / "out"),
-            content(root_ / "err")};
-  }
-
-  Result run(const std::string& arguments) { return finish(start(arguments)); }
-
-  // Bad input: status 2, nothing on stdout, one message that names all of `words`, and no file.
-  void refuses(const std::string& arguments, const std::vector<std::string>& words) {
-    const Result result = run(arguments);
-    EXPECT_EQ(result.status, 2) << arguments;
-    EXPECT_THAT(result.out, IsEmpty()) << arguments;
-    EXPECT_TRUE(result.err.starts_with("hexagait: ")) << arguments << '\n' << result.err;
-    for (const std::string& word : words) EXPECT_THAT(result.err, HasSubstr(word)) << arguments;
-    EXPECT_TRUE(fs::is_empty(here())) << arguments;
-  }
-
-  void write(const std::string& name, const std::string& text) {
-    std::ofstream(root_ / name) << text;
-  }
-
-  std::string prefix_;  // before the command
-
- private:
-  fs::path root_;
-};
 
 TEST_F(Cli, RefusesRobotsThatAreNone) {
   refuses("walk --robot nobody", {"--robot", "'nobody'", "argos"});
@@ -142,7 +70,8 @@ TEST_F(Cli, RefusesOptionsThatContradict) {
 
 TEST_F(Cli, RefusesWhatItDoesNotKnow) {
   refuses("", {"--help"});
-  refuses("run", {"--help"});
+  refuses("run", {"action", "--help"});
+  refuses("chek push_up", {"--help"});
   refuses("walk --fast", {"--fast", "--help"});
   refuses("walk --seconds", {"--seconds"});
   refuses("experiment fig99", {"fig99", "fig9", "fig10", "all"});
@@ -170,8 +99,9 @@ TEST_F(Cli, HelpsWithExamples) {
     EXPECT_THAT(result.err, IsEmpty());
   }
   EXPECT_THAT(run("--version").out, HasSubstr("hexagait 0."));
-  EXPECT_THAT(run("experiment --list").out, AllOf(HasSubstr("table1"), HasSubstr("fig7b"),
-                                                  HasSubstr("fig9"), HasSubstr("fig10")));
+  EXPECT_THAT(run("experiment --list").out,
+              AllOf(HasSubstr("table1"), HasSubstr("fig7b"), HasSubstr("fig9"), HasSubstr("fig10"),
+                    HasSubstr("fg16_fig6"), HasSubstr("fg16_fig7")));
   EXPECT_THAT(run("terrains").out,
               AllOf(HasSubstr("flat"), HasSubstr("boxes:H"), HasSubstr("rough:H")));
 }
@@ -359,3 +289,4 @@ TEST_F(Cli, ShowsWhatItRecognisesOfARobot) {
 }
 
 }  // namespace
+}  // namespace hexagait::app

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "action_input.hpp"
 #include "arguments.hpp"
 
 /// The sub-commands: each prints its result on stdout and returns the exit status.
@@ -19,6 +20,12 @@ int walk_command(const WalkArguments& arguments);
 
 /// The same for the side view of Genghis. @throws InvalidInput
 int genghis_command(const WalkArguments& arguments);
+
+/// `hexagait check`: 0 if nothing is wrong. @throws InvalidInput
+int check_command(const ActionArguments& arguments);
+
+/// `hexagait run`: 0 if the action succeeded. @throws InvalidInput
+int run_command(const ActionArguments& arguments);
 
 /// `hexagait experiment` as it was typed.
 struct ExperimentArguments {

@@ -19,7 +19,7 @@ using experiments::Manifest;
 
 int list() {
   for (const Experiment& experiment : experiments::experiments())
-    fmt::print("{:<8} {}\n", experiment.name, experiment.title);
+    fmt::print("{:<12} {}\n", experiment.name, experiment.title);
   return kOk;
 }
 

@@ -8,9 +8,14 @@ namespace hexagait::app {
 namespace {
 
 std::atomic<bool> interrupted = false;
-static_assert(std::atomic<bool>::is_always_lock_free, "set by a signal handler");
+std::atomic<int> interrupts = 0;
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free,
+              "set by a signal handler");
 
-void interrupt(int /*signal*/) { interrupted = true; }
+void interrupt(int /*signal*/) {
+  interrupted = true;
+  ++interrupts;
+}
 
 }  // namespace
 
@@ -18,6 +23,11 @@ const std::atomic<bool>& watch_interrupts() {
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
   return interrupted;
+}
+
+const std::atomic<int>& count_interrupts() {
+  (void)watch_interrupts();
+  return interrupts;
 }
 
 }  // namespace hexagait::app

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <hexagait/experiments/version.hpp>
 
+#include "action_options.hpp"
 #include "commands.hpp"
 #include "sweep_command.hpp"
 
@@ -146,6 +147,10 @@ int run(int argc, char** argv) {
   WalkArguments walk;
   add_walk(app, walk);
 
+  ActionArguments run, check;
+  add_run(app, run);
+  add_check(app, check);
+
   ExperimentArguments experiment;
   add_experiment(app, experiment);
 
@@ -185,6 +190,8 @@ int run(int argc, char** argv) {
     return kBadInput;
   }
   if (app.got_subcommand("walk")) return walk_command(walk);
+  if (app.got_subcommand("run")) return run_command(run);
+  if (app.got_subcommand("check")) return check_command(check);
   if (app.got_subcommand("experiment")) return experiment_command(experiment);
   if (app.got_subcommand(verify_app)) return verify_command(verify_json, verify_quiet);
   if (app.got_subcommand("sweep")) return sweep_command(sweep);

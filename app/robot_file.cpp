@@ -13,18 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where robots lie: beside an installed command, else in the source tree it was built from.
-fs::path robots_directory() {
-  std::error_code error;
-  const fs::path command = fs::read_symlink("/proc/self/exe", error);
-  const fs::path installed = command.parent_path().parent_path() / "share/hexagait/robots";
-  return !error && fs::is_directory(installed, error) ? installed : fs::path(HEXAGAIT_ROBOTS_DIR);
-}
-
 std::string known_robots() {
   std::vector<std::string> names;
   std::error_code error;
-  for (const fs::directory_entry& file : fs::directory_iterator(robots_directory(), error))
+  for (const fs::directory_entry& file : fs::directory_iterator(shared_directory("robots"), error))
     if (file.path().extension() == ".urdf") names.push_back(file.path().stem());
   std::ranges::sort(names);
   return fmt::format("{}", fmt::join(names, ", "));
@@ -32,9 +24,17 @@ std::string known_robots() {
 
 }  // namespace
 
+fs::path shared_directory(const std::string& name) {
+  std::error_code error;
+  const fs::path command = fs::read_symlink("/proc/self/exe", error);
+  const fs::path installed = command.parent_path().parent_path() / "share/hexagait" / name;
+  return !error && fs::is_directory(installed, error) ? installed
+                                                      : fs::path(HEXAGAIT_SHARED_DIR) / name;
+}
+
 std::string robot_file(const std::string& robot) {
   const bool is_path = robot.find('/') != std::string::npos || robot.ends_with(".urdf");
-  const fs::path file = is_path ? fs::path(robot) : robots_directory() / (robot + ".urdf");
+  const fs::path file = is_path ? fs::path(robot) : shared_directory("robots") / (robot + ".urdf");
   std::error_code error;
   if (fs::is_regular_file(file, error)) return file;
   if (fs::exists(file, error))

@@ -17,16 +17,6 @@ using walk::Summary;
 
 double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 
-// "5.2 mm", "3.1 cm" or "1.25 m": three digits are enough for a person. The stability margin with
-// no foot on the ground is −∞.
-std::string length(double metres) {
-  const double size = std::abs(metres);
-  if (std::isinf(size)) return "none";
-  if (size < 0.00995) return fmt::format("{:.1f} mm", 1e3 * metres);
-  if (size < 0.995) return fmt::format("{:.1f} cm", 1e2 * metres);
-  return fmt::format("{:.2f} m", metres);
-}
-
 std::string line(const Heading& heading) {
   const double crab = degrees(heading.crab_angle());
   const std::string crabbing =
@@ -47,11 +37,6 @@ std::string walked(const Simulation& simulation, const Summary& s) {
     return fmt::format("turned {:.0f}° in place, to the {},", std::abs(degrees(s.turned)),
                        s.turned > 0.0 ? "left" : "right");
   return fmt::format("walked {:.1f} m {}", s.distance, line(heading));
-}
-
-std::string ground(const sim3d::TerrainSpec& terrain) {
-  return terrain.kind == sim3d::TerrainSpec::Kind::flat ? "on flat ground"
-                                                        : "over " + sim3d::to_string(terrain);
 }
 
 std::string ending(const WalkReport& report) {
@@ -76,6 +61,21 @@ void add(std::string& text, const char* label, const std::string& value) {
 }
 
 }  // namespace
+
+// Three digits are enough for a person. The stability margin with
+// no foot on the ground is −∞.
+std::string length(double metres) {
+  const double size = std::abs(metres);
+  if (std::isinf(size)) return "none";
+  if (size < 0.00995) return fmt::format("{:.1f} mm", 1e3 * metres);
+  if (size < 0.995) return fmt::format("{:.1f} cm", 1e2 * metres);
+  return fmt::format("{:.2f} m", metres);
+}
+
+std::string ground(const sim3d::TerrainSpec& terrain) {
+  return terrain.kind == sim3d::TerrainSpec::Kind::flat ? "on flat ground"
+                                                        : "over " + sim3d::to_string(terrain);
+}
 
 std::string headline(const WalkReport& report) {
   const Summary& s = report.summary;

@@ -6,6 +6,12 @@
 
 namespace hexagait::app {
 
+/// "5.2 mm", "3.1 cm" or "1.25 m"; "none" for an infinite one.
+[[nodiscard]] std::string length(double metres);
+
+/// "on flat ground", or over what.
+[[nodiscard]] std::string ground(const sim3d::TerrainSpec& terrain);
+
 /// A walk for a person: a sentence with the verdict, then a few aligned lines.
 [[nodiscard]] std::string in_words(const experiments::WalkReport& report);
 

@@ -9,7 +9,9 @@ pkg_check_modules(ode REQUIRED IMPORTED_TARGET ode)
 
 if(HEXAGAIT_TESTS)
   find_package(GTest REQUIRED)
+  find_package(rapidcheck REQUIRED)
   include(GoogleTest)
+  pkg_check_modules(nlopt REQUIRED IMPORTED_TARGET nlopt)            # an oracle of optimisation
   pkg_check_modules(orocos_kdl REQUIRED IMPORTED_TARGET orocos-kdl)  # an oracle of kinematics
 endif()
 if(HEXAGAIT_TOOLS)

@@ -26,6 +26,7 @@ install(FILES ${PROJECT_BINARY_DIR}/hexagaitConfig.cmake
 install(EXPORT hexagait-targets NAMESPACE hexagait:: DESTINATION ${config_dir})
 
 install(DIRECTORY robots/ DESTINATION ${robots_dir})
+install(DIRECTORY actions/ DESTINATION ${CMAKE_INSTALL_DATADIR}/hexagait/actions)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 if(TARGET hexagait_app)
   install(TARGETS hexagait_app)

@@ -9,7 +9,8 @@ kBuildPackages=(
   libbox2d-dev libeigen3-dev libfmt-dev libode-dev librandom123-dev liburdfdom-dev
   libyaml-cpp-dev                                               # the library
   libboost-math-dev libcli11-dev nlohmann-json3-dev gnuplot-nox  # the hexagait command
-  libbenchmark-dev libgmock-dev libgtest-dev liborocos-kdl-dev  # benchmarks and tests
+  libbenchmark-dev libgmock-dev libgtest-dev libnlopt-dev liborocos-kdl-dev
+  librapidcheck-dev                                             # benchmarks and tests
 )
 kCheckPackages=(clang clang-format clang-tidy libclang-rt-14-dev universal-ctags)
 

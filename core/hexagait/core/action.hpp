@@ -4,6 +4,7 @@
 
 #include <hexagait/core/frames.hpp>
 #include <hexagait/core/knots.hpp>
+#include <hexagait/core/mark.hpp>
 #include <string>
 #include <variant>
 #include <vector>
@@ -14,11 +15,7 @@ namespace hexagait::action {
 // When its step starts, a command is resolved into a motion: in odom (or in the base, for what is
 // given in the base), over time. Plain values; load_action() reads them from YAML.
 
-/// Where something stands in the file it was read from, from 1; 0: it was not read.
-struct Mark {
-  int line = 0;
-  int column = 0;
-};
+using hexagait::Mark;
 
 struct Position {
   FrameId frame = kOdom;
@@ -43,7 +40,8 @@ struct Footstep : LegMotion {
   Position target;
   double profile_height = 0.08;  ///< [m]
   SwingProfile profile = SwingProfile::triangle;
-  double average_velocity = 0.65;  ///< [m/s]
+  double average_velocity = 0.65;       ///< [m/s]
+  std::optional<double> duration = {};  ///< [s]; if there is one, average_velocity is not used
 };
 
 /// The foot to a position.
@@ -108,7 +106,7 @@ struct CustomCommand {
   int handler = 0;  ///< index of the type among those registered
   std::string type;
   double duration = 0.0;  ///< [s]
-  std::string command;    ///< YAML text, as it stands in the file
+  std::string command;    ///< YAML text of one line, references and placeholders resolved
 };
 
 /// Do nothing for a while.
@@ -141,9 +139,9 @@ struct Step {
 /// X_TA = X_TS · X_S · X_SA, with X_TS of that moment.
 struct Adaptation {
   FrameId source = kFootprint;
-  FrameId target = kOdom;
-  Pose X_S;               ///< transform in the source frame
-  bool yaw_only = false;  ///< of X_TS only the yaw and the position
+  FrameId target = kOdom;  ///< not the source
+  Pose X_S;                ///< transform in the source frame
+  bool yaw_only = false;   ///< of X_TS only the yaw and the position
 };
 
 /// Steps that are carried out one after the other.

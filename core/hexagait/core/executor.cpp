@@ -2,10 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <hexagait/core/executor.hpp>
-#include <hexagait/core/load_sharing.hpp>
 #include <limits>
 
 namespace hexagait {
+namespace {
+
+// Time in which the effort of a plan reaches the joint's limit, at most [s].
+constexpr double kEffortRamp = 0.1;
+
+// A base whose plan ends faster than this is to go on [m/s], [rad/s].
+constexpr double kMoving = 1e-6;
+
+}  // namespace
 
 Executor::Executor(const RobotModel& model, const ExecutorParams& params)
     : model_(&model),
@@ -13,14 +21,20 @@ Executor::Executor(const RobotModel& model, const ExecutorParams& params)
       legs_(model.num_legs()),
       trig_(model.num_legs()),
       last_change_(model.num_legs(), LegJoints::Zero()),
-      reachable_(model.num_legs(), true) {
+      reachable_(model.num_legs(), true),
+      plans_(model.num_legs()),
+      planned_effort_(model.num_legs(), LegJoints::Zero()) {
   const LegArray<LegJoints> zero(model.num_legs(), LegJoints::Zero());
-  targets_ = {zero, zero, zero};
+  targets_ = {zero, zero, zero, LegArray<ControlMode>(model.num_legs(), ControlMode::position)};
 }
 
-void Executor::reset(const RobotState& state) {
+void Executor::reset(const RobotState& state, RestsOn rests_on) {
   *this = Executor(*model_, params_);
   for (LegId i = 0; i < legs_.size(); ++i) {
+    if (rests_on == RestsOn::belly) {
+      legs_[i].phase = LegPhase::hold;
+      legs_[i].load = 0.0;
+    }
     legs_[i].p_BF = state.p_BF[i];
     trig_[i] = state.trig[i];
   }
@@ -31,23 +45,93 @@ void Executor::command(const Footstep& step, const RobotState& state) noexcept {
   hexagait::command(legs_[step.leg], step, state.X_OB);
 }
 
+void Executor::reserve(int foot_knots, int joint_knots, int base_knots) {
+  for (LegPlan& plan : plans_) {
+    plan.foot.reserve(foot_knots);
+    plan.joints.reserve(joint_knots);
+  }
+  base_plan_.curve.reserve(base_knots);
+}
+
+void Executor::command(LegId leg, const LegPlan& plan, const RobotState& state,
+                       double begin) noexcept {
+  plans_[leg] = plan;
+  // A leg that was driven by efforts starts from where it is.
+  if (targets_.mode[leg] == ControlMode::effort) legs_[leg].p_BF = state.p_BF[leg];
+  hexagait::command(legs_[leg], plans_[leg], state.X_OB);
+  if (legs_[leg].phase != LegPhase::follow) return;
+  legs_[leg].time = begin;
+  legs_[leg].p_plan = plan.foot.at(begin).p;
+}
+
+void Executor::command(const BasePlan& plan, double begin) noexcept {
+  base_plan_ = plan;
+  base_time_ = begin;
+  base_planned_ = base_plan_.curve.at(begin);
+  base_follows_ = true;
+}
+
+void Executor::interrupt_base() noexcept {
+  base_follows_ = false;
+  base_command_ = {};
+}
+
 const JointTargets& Executor::advance(const RobotState& state, double dt) noexcept {
-  // The base: where should it go, and how fast can it?
+  move_base(state, dt);          // where should it go, and how fast can it?
+  carry_with_ground(state, dt);  // and with it all feet that stand
+  move_legs(state, dt);          // what each does over the ground
+  set_joints(state, dt);
+  set_efforts(state, dt);
+  return targets_;
+}
+
+void Executor::move_base(const RobotState& state, double dt) noexcept {
+  base_error_ = {};
+  if (base_follows_) return follow_base(state, dt);
   base_goal_ = base_command_.adaptation
                    ? base_command_.adaptation(base_command_, pose_adaptation_input(state))
                    : BaseGoal{};
   hexagait::advance(base_, base_command_, base_goal_, dt, params_.base);
-  carry_with_ground(state, dt);
+}
 
-  // The legs: what each does over the ground.
-  for (LegId i = 0; i < legs_.size(); ++i) {
-    const LegSensed sensed{state.contact[i], (state.p_BF[i] - legs_[i].p_BF).norm(), reachable_[i]};
-    hexagait::advance(legs_[i], sensed, state.X_OB, dt, params_.swing);
+// The twist of the plan, and back to it where odometry sees the base beside it.
+void Executor::follow_base(const RobotState& state, double dt) noexcept {
+  const double begin = base_time_, end = base_plan_.curve.duration();
+  base_time_ = std::min(begin + rate_ * dt, end);
+  const BaseState now = base_planned_;
+  base_planned_ = base_plan_.curve.at(base_time_);
+  const double share = (base_time_ - begin) / dt;
+
+  // What is to go on moving behind the end of its plan, and was not given another one, brakes.
+  if (begin >= end && (now.V_B.v.norm() > kMoving || now.V_B.w.norm() > kMoving)) {
+    interrupt_base();
+    return move_base(state, dt);
   }
 
-  set_joints(dt);
-  set_efforts(state);
-  return targets_;
+  const Matrix3 R_BD = state.X_OB.R.transpose() * now.X_AB.R;
+  const BaseParams& p = params_.base;
+  Vector3 v = p.correction_rate * (state.X_OB.R.transpose() * (now.X_AB.p - state.X_OB.p));
+  Vector3 w = p.correction_rate * rotation_vector(R_BD);
+  if (v.norm() > p.correction_speed) v *= p.correction_speed / v.norm();
+  if (w.norm() > p.correction_turn) w *= p.correction_turn / w.norm();
+  // The trapezoidal rule; the rest of a tick in which the plan ends goes on as it ended.
+  const Twist& last = base_planned_.V_B;
+  const double rest = rate_ - 0.5 * share;
+  v += R_BD * (0.5 * share * now.V_B.v + rest * last.v);
+  w += R_BD * (0.5 * share * now.V_B.w + rest * last.w);
+  base_ = {{v.head<2>(), w.z()}, v.z(), w.x(), w.y()};
+  if (params_.controller == WholeBodyController::virtual_model)
+    base_error_ = base_error(state.X_OB, state.V_B, now.X_AB, now.V_B);
+}
+
+void Executor::move_legs(const RobotState& state, double dt) noexcept {
+  for (LegId i = 0; i < legs_.size(); ++i) {
+    const LegSensed sensed{state.contact[i], (state.p_BF[i] - legs_[i].p_BF).norm(), reachable_[i]};
+    if (legs_[i].phase == LegPhase::follow)
+      follow(legs_[i], plans_[i], sensed, state.X_OB, dt, rate_, params_.swing);
+    else
+      hexagait::advance(legs_[i], sensed, state.X_OB, dt, params_.swing);
+  }
 }
 
 void Executor::hold() noexcept {
@@ -99,6 +183,7 @@ void Executor::carry_with_ground(const RobotState& state, double dt) noexcept {
   const Vector3 turn = V.w * dt;
   const Vector3 roll_arm = model_->foot_radius * state.X_OB.R.row(2).transpose();
   for (LegId i = 0; i < legs_.size(); ++i) {
+    if (!legs_[i].with_ground()) continue;
     Vector3& p = legs_[i].p_BF;
     const Vector3 shift = -(V.v * dt + turn.cross(p));
     p += shift - 0.5 * turn.cross(shift);
@@ -107,34 +192,102 @@ void Executor::carry_with_ground(const RobotState& state, double dt) noexcept {
   }
 }
 
-void Executor::set_joints(double dt) noexcept {
+// The joints lead and the foot follows.
+bool Executor::led_by_joints(LegId leg) const noexcept {
+  const LegPhase phase = legs_[leg].phase;
+  return plans_[leg].kind == LegPlan::Kind::joints &&
+         (phase == LegPhase::follow || phase == LegPhase::hold);
+}
+
+// Where the leg's joints should be, and where that puts its foot.
+LegSolution Executor::wanted_joints(LegId leg, const RobotState& state) noexcept {
+  const LegModel& model = model_->legs[leg];
+  const LegLane& lane = legs_[leg];
+  const LegPlan& plan = plans_[leg];
+  if (!led_by_joints(leg)) return inverse_kinematics(model, lane.p_BF);
+  if (lane.phase == LegPhase::hold) return {targets_.q[leg], trig_[leg], true};
+  const bool driven = plan.mode == ControlMode::effort;  // wherever efforts take it
+  const LegJoints asked = driven ? state.q[leg] : plan.joints.at(lane.time).q;
+  LegJoints q = asked;
+  for (int k = 0; k < 3; ++k) {
+    const JointLimits& limits = model.limits[static_cast<std::size_t>(k)];
+    q[k] = std::clamp(q[k], limits.lower, limits.upper);
+  }
+  return {q, leg_trig(model, q), driven || within_limits(model, asked)};
+}
+
+void Executor::set_joints(const RobotState& state, double dt) noexcept {
   for (LegId i = 0; i < legs_.size(); ++i) {
-    const LegSolution solution = inverse_kinematics(model_->legs[i], legs_[i].p_BF);
-    last_change_[i] = solution.q - targets_.q[i];
-    targets_.q[i] = solution.q;
-    targets_.qd[i] = last_change_[i] / dt;
-    trig_[i] = solution.trig;
-    reachable_[i] = solution.reachable;
+    const LegModel& leg = model_->legs[i];
+    LegSolution wanted = wanted_joints(i, state);
+    reachable_[i] = wanted.reachable;
+
+    // What asks for more than a servo can do becomes a motion as fast as it can.
+    LegJoints change = wanted.q - targets_.q[i];
+    bool limited = false;
+    for (int k = 0; k < 3; ++k) {
+      const double most = leg.limits[static_cast<std::size_t>(k)].velocity * dt;
+      limited = limited || std::abs(change[k]) > most;
+      change[k] = std::clamp(change[k], -most, most);
+    }
+    if (limited) {
+      wanted.q = targets_.q[i] + change;
+      wanted.trig = leg_trig(leg, wanted.q);
+    }
+    last_change_[i] = change;
+    targets_.q[i] = wanted.q;
+    targets_.qd[i] = change / dt;
+    trig_[i] = wanted.trig;
+    if (led_by_joints(i)) {
+      const Vector3 p_BF = foot_position(leg, trig_[i]);
+      legs_[i].v_O = state.X_OB.R * (p_BF - legs_[i].p_BF) / dt;
+      legs_[i].p_BF = p_BF;
+    }
+    targets_.mode[i] = legs_[i].phase == LegPhase::follow ? plans_[i].mode : ControlMode::position;
   }
 }
 
-// Each standing foot presses down with its share of the weight: τ = Jᵀ (−F up).
-void Executor::set_efforts(const RobotState& state) noexcept {
-  const Vector3 up_B = state.X_OB.R.row(2);
-  LegArray<Vector3> p_F(legs_.size());
-  LegArray<double> share(legs_.size());
-  for (LegId i = 0; i < legs_.size(); ++i) {
-    p_F[i] = legs_[i].p_BF;
-    share[i] = legs_[i].load;
+void Executor::set_efforts(const RobotState& state, double dt) noexcept {
+  const int n = legs_.size();
+  WholeBodyInput input{.p_BF = LegArray<Vector3>(n),
+                       .trig = trig_,
+                       .load = LegArray<double>(n),
+                       .up_B = state.X_OB.R.row(2),
+                       .normal_B = LegArray<Vector3>(n),
+                       .error = base_error_};
+  for (LegId i = 0; i < n; ++i) {
+    input.p_BF[i] = legs_[i].p_BF;
+    input.load[i] = legs_[i].load;
+    if (params_.controller == WholeBodyController::virtual_model)
+      input.normal_B[i] = state.X_OB.R.transpose() * legs_[i].normal_O;
   }
-  const LegArray<double> force =
-      shared_load(p_F, model_->p_BM, share, model_->mass * params_.gravity);
+  targets_.effort =
+      joint_efforts(params_.controller, *model_, input, params_.gravity, params_.virtual_model);
+
   for (LegId i = 0; i < legs_.size(); ++i) {
-    targets_.effort[i].setZero();
-    if (force[i] > 0.0)
-      targets_.effort[i] =
-          foot_jacobian(model_->legs[i], trig_[i]).transpose() * (-force[i] * up_B);
+    const bool carries = legs_[i].phase == LegPhase::support || legs_[i].phase == LegPhase::unload;
+    if (params_.controller == WholeBodyController::virtual_model && carries)
+      targets_.mode[i] = ControlMode::effort;
+
+    // What a plan adds comes and goes within kEffortRamp.
+    const LegJoints wish = planned_effort(i, state);
+    if (wish.isZero() && planned_effort_[i].isZero()) continue;
+    for (int k = 0; k < 3; ++k) {
+      const double most =
+          model_->legs[i].limits[static_cast<std::size_t>(k)].effort * dt / kEffortRamp;
+      planned_effort_[i][k] += std::clamp(wish[k] - planned_effort_[i][k], -most, most);
+    }
+    targets_.effort[i] += planned_effort_[i];
   }
+}
+
+LegJoints Executor::planned_effort(LegId leg, const RobotState& state) const noexcept {
+  const LegPlan& plan = plans_[leg];
+  if (legs_[leg].phase != LegPhase::follow) return LegJoints::Zero();
+  if (plan.kind == LegPlan::Kind::joints) return plan.joints.at(legs_[leg].time).effort;
+  if (plan.force_O.isZero()) return LegJoints::Zero();
+  return foot_jacobian(model_->legs[leg], trig_[leg]).transpose() *
+         (state.X_OB.R.transpose() * plan.force_O);
 }
 
 }  // namespace hexagait

@@ -6,6 +6,7 @@
 #include <hexagait/core/leg_lane.hpp>
 #include <hexagait/core/plant.hpp>
 #include <hexagait/core/robot_state.hpp>
+#include <hexagait/core/whole_body.hpp>
 
 namespace hexagait {
 
@@ -13,10 +14,13 @@ struct ExecutorParams {
   SwingParams swing;
   BaseParams base;
   double gravity = 9.81;  ///< [m/s²]; 0 feeds no load forward
+  WholeBodyController controller = WholeBodyController::kinematic;
+  VirtualModelParams virtual_model;
 };
 
-/// The Free Gait executor for a stream of commands: a lane per leg and one for the base ([FG16]
-/// II), without barriers between them.
+/// The Free Gait executor: a lane per leg and one for the base ([FG16] II), without barriers
+/// between them: the gait generator streams commands into it. Steps that wait for each other:
+/// Sequencer.
 ///
 /// Every foot has a set point p_BF in the body frame. When the base is to move with twist V, the
 /// ground, and with it every foot, goes the other way:
@@ -27,17 +31,38 @@ struct ExecutorParams {
 /// carried along; what it does over the ground comes on top. The set point of a foot in support
 /// starts where its swing ended and is continuous by construction.
 ///
+/// Scripts send plans, motions over time, to the same lanes; a LegPlan in odom is tracked against
+/// odometry, one in the body frame or in joints moves with the body. No joint target ever changes
+/// by more than its velocity limit allows in a tick, whatever is commanded when.
+///
 /// A value: copy it to preview or to branch. advance() neither throws nor allocates.
 class Executor {
  public:
   Executor(const RobotModel& model, const ExecutorParams& params);
 
-  /// All legs in support, set points at the measured feet, base at rest.
-  void reset(const RobotState& state);
+  /// All legs in support, or of a robot that lies on hold; set points at the measured feet, base at
+  /// rest.
+  void reset(const RobotState& state, RestsOn rests_on = RestsOn::feet);
 
   /// Takes effect in the next advance().
   void command(const Footstep& step, const RobotState& state) noexcept;
   void command(const BaseAuto& base) noexcept { base_command_ = base; }
+
+  // Motions over time, of scripts. A plan that needs more room than reserve() made would allocate.
+  // `begin` is the time in the plan at which it starts: what a step before it has overshot [s].
+  void command(LegId leg, const LegPlan& plan, const RobotState& state,
+               double begin = 0.0) noexcept;
+  void command(const BasePlan& plan, double begin = 0.0) noexcept;
+  void reserve(int foot_knots, int joint_knots, int base_knots);
+
+  /// How fast the time of plans goes: 0 stands still, 1 as planned.
+  void set_rate(double rate) noexcept { rate_ = rate; }
+
+  /// Ends the leg's plan where it is: in the air, the foot goes down if it is to stand.
+  void interrupt(LegId leg, bool to_stand) noexcept { hexagait::interrupt(legs_[leg], to_stand); }
+
+  /// Ends the base's plan: the base comes to rest.
+  void interrupt_base() noexcept;
 
   /// One tick: base, legs, joints.
   const JointTargets& advance(const RobotState& state, double dt) noexcept;
@@ -49,6 +74,14 @@ class Executor {
   [[nodiscard]] const BaseLane& base() const { return base_; }
   [[nodiscard]] const BaseAuto& base_command() const { return base_command_; }
   [[nodiscard]] const BaseGoal& base_goal() const { return base_goal_; }
+  [[nodiscard]] const LegArray<LegPlan>& plans() const { return plans_; }
+  /// The base follows a plan, or holds the pose at its end.
+  [[nodiscard]] bool base_follows() const { return base_follows_; }
+  [[nodiscard]] const BasePlan& base_plan() const { return base_plan_; }
+  [[nodiscard]] double base_time() const { return base_time_; }
+  /// Where its plan wants the base now, if it follows one.
+  [[nodiscard]] const BaseState& base_planned() const { return base_planned_; }
+  [[nodiscard]] bool reachable(LegId leg) const { return reachable_[leg]; }
   [[nodiscard]] const JointTargets& targets() const { return targets_; }
   [[nodiscard]] const ExecutorParams& params() const { return params_; }
 
@@ -60,8 +93,14 @@ class Executor {
 
  private:
   void carry_with_ground(const RobotState& state, double dt) noexcept;
-  void set_joints(double dt) noexcept;
-  void set_efforts(const RobotState& state) noexcept;
+  void move_base(const RobotState& state, double dt) noexcept;
+  void follow_base(const RobotState& state, double dt) noexcept;
+  void move_legs(const RobotState& state, double dt) noexcept;
+  void set_joints(const RobotState& state, double dt) noexcept;
+  void set_efforts(const RobotState& state, double dt) noexcept;
+  [[nodiscard]] bool led_by_joints(LegId leg) const noexcept;
+  [[nodiscard]] LegSolution wanted_joints(LegId leg, const RobotState& state) noexcept;
+  [[nodiscard]] LegJoints planned_effort(LegId leg, const RobotState& state) const noexcept;
 
   const RobotModel* model_;
   ExecutorParams params_;
@@ -73,6 +112,15 @@ class Executor {
   BaseAuto base_command_;
   BaseGoal base_goal_;
   JointTargets targets_;
+
+  double rate_ = 1.0;
+  LegArray<LegPlan> plans_;
+  LegArray<LegJoints> planned_effort_;  ///< as it has ramped so far [N m]
+  BasePlan base_plan_;
+  bool base_follows_ = false;
+  double base_time_ = 0.0;  ///< in its plan [s]
+  BaseState base_planned_;  ///< at that time
+  BaseError base_error_;    ///< against the plan; none without one
 };
 
 }  // namespace hexagait

@@ -9,12 +9,14 @@
 
 namespace hexagait {
 
-/// Shape of a swing, from start s to target t with height h above the higher of the two, along the
-/// surface normal: through
-///   straight   s, t
-///   triangle   s, middle + h, t
-///   square     s, s + h, t + h, t
-///   trapezoid  s, 10 % of the way at s + h, middle at t + h, 90 % at t + h, t
+/// The way of a swinging foot between its start s and its target t, as a polygon. u is along the
+/// chord (from s to t, perpendicular to the normal), n along the normal, both from s; b = max(0,
+/// t.n), h the profile height:
+///
+///     straight   s, t
+///     triangle   s, (½ t.u, b + h), t
+///     square     s, (0, b + h), (t.u, b + h), t
+///     trapezoid  s, (0.1 t.u, h), (½ t.u, t.n + h), (0.9 t.u, t.n + h), t
 enum class SwingProfile : std::uint8_t { straight, triangle, square, trapezoid };
 
 /// A point that a foot passes.

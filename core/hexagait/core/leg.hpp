@@ -47,9 +47,7 @@ class LegArray {
  public:
   LegArray() = default;
   explicit LegArray(int n) : size_(n) { assert(0 <= n && n <= kMaxLegs); }
-  LegArray(int n, const T& value) : LegArray(n) {
-    for (int i = 0; i < n; ++i) values_[static_cast<std::size_t>(i)] = value;
-  }
+  LegArray(int n, const T& value) : LegArray(n) { values_.fill(value); }
 
   int size() const { return size_; }
 

@@ -105,8 +105,8 @@ void support(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB
     lane.confirmed = lane.touched_down = lane.with_contact >= params.confirm_time;
   }
   if (lane.without_contact > (lane.confirmed ? params.regain_time : params.lost_time)) {
-    begin_step(lane, LegPhase::descend, X_OB);
-    lane.cleared = true;
+    begin_step(lane, params.reflexes ? LegPhase::descend : LegPhase::search, X_OB);
+    lane.cleared = lane.lost = true;
     lane.step.p_OT = lane.p_OL;
     lane.apex_z = lane.p_OL.z() + lane.step.profile_height;
   }
@@ -115,6 +115,7 @@ void support(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB
 void unload(LegLane& lane, double dt, const Pose& X_OB, const SwingParams& params) {
   ramp(lane.load, 0.0, dt / params.unload_time);
   if (lane.load > 0.0) return;
+  if (lane.after_unload != LegPhase::lift) return enter(lane, lane.after_unload);
   lane.p_OL = X_OB * lane.p_BF;
   lane.apex_z = std::max(lane.p_OL.z(), lane.step.p_OT.z()) + lane.step.profile_height;
   enter(lane, LegPhase::lift);
@@ -161,6 +162,19 @@ void descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB
   move_down(lane, height, dt, params);
 }
 
+// No ground where the plan ended, or where it was: on against the surface normal.
+void search(LegLane& lane, const LegSensed& sensed, double dt, const SwingParams& params) {
+  lane.cleared = lane.cleared || !sensed.contact;
+  if (sensed.contact && lane.cleared) return land(lane);
+  if (!sensed.reachable || lane.time > params.search_time) {
+    lane.exhausted = true;
+    return enter(lane, LegPhase::hold);
+  }
+  const Vector3 change = -params.search_speed * lane.normal_O - lane.v_O;
+  const double most = params.vertical_acceleration * dt;
+  lane.a_O = change * (std::min(1.0, most / std::max(change.norm(), 1e-12)) / dt);
+}
+
 void step_back(LegLane& lane, double dt, const Pose& X_OB, const SwingParams& params) {
   const Vector2 back = (lane.p_OL - X_OB * lane.p_BF).head<2>();
   const double distance = back.norm();
@@ -191,6 +205,12 @@ const char* to_string(LegPhase phase) noexcept {
       return "descend";
     case LegPhase::retreat:
       return "retreat";
+    case LegPhase::follow:
+      return "follow";
+    case LegPhase::search:
+      return "search";
+    case LegPhase::hold:
+      return "hold";
   }
   return "?";
 }
@@ -199,7 +219,62 @@ void command(LegLane& lane, const Footstep& step, const Pose& X_OB) noexcept {
   const bool starts = lane.phase == LegPhase::support;
   lane.step = step;
   if (!starts) return;
+  lane.after_unload = LegPhase::lift;
   begin_step(lane, LegPhase::unload, X_OB);
+}
+
+void command(LegLane& lane, const LegPlan& plan, const Pose& X_OB) noexcept {
+  const bool stood = lane.on_ground();
+  lane.normal_O = plan.normal_O;
+  lane.with_body = plan.with_body();
+  lane.lost = lane.exhausted = false;
+  lane.after_unload = LegPhase::follow;
+  lane.p_plan = plan.foot.at(0.0).p;
+  begin_step(lane, stood ? LegPhase::unload : LegPhase::follow, X_OB);
+  lane.cleared = !stood;
+}
+
+void follow(LegLane& lane, const LegPlan& plan, const LegSensed& sensed, const Pose& X_OB,
+            double dt, double rate, const SwingParams& params) noexcept {
+  lane.lifted = lane.touched_down = false;
+  ramp(lane.load, 0.0, dt / params.unload_time);
+  lane.cleared = lane.cleared || !sensed.contact;
+  lane.time = std::min(lane.time + rate * dt, plan.duration);
+
+  // As far as the curve goes in this time, and back to it. Of what the joints do the executor
+  // knows.
+  if (plan.kind != LegPlan::Kind::foot) {
+    lane.a_O.setZero();
+    if (plan.kind == LegPlan::Kind::keep) lane.v_O.setZero();
+  } else {
+    const PointState to = plan.foot.at(lane.time);
+    const Matrix3 R_BA = plan.in_body ? Matrix3::Identity() : Matrix3(X_OB.R.transpose());
+    const Vector3 p_A = plan.in_body ? lane.p_BF : X_OB * lane.p_BF;
+    lane.p_BF += R_BA * (to.p - lane.p_plan + params.follow_rate * dt * (lane.p_plan - p_A));
+    lane.p_plan = to.p;
+    const Matrix3 R_OA = plan.in_body ? X_OB.R : Matrix3::Identity();
+    lane.v_O = R_OA * (rate * to.v);
+    lane.a_O = R_OA * (rate * to.a);
+  }
+
+  const bool ended = lane.time >= plan.duration;
+  const bool coming_down = lane.v_O.dot(lane.normal_O) < 0.0 || lane.time > 0.5 * plan.duration;
+  if (plan.lands && sensed.contact && (ended || (lane.cleared && coming_down))) return land(lane);
+  if (!ended) return;
+  enter(lane, plan.lands ? LegPhase::search : LegPhase::hold);
+}
+
+// A leg that was about to leave has to prove that it still stands: nobody has looked since. One
+// that has not left yet stands as soon as it is told to.
+void interrupt(LegLane& lane, bool to_stand) noexcept {
+  if (lane.phase == LegPhase::unload) {
+    enter(lane, LegPhase::support);
+    lane.with_contact = lane.without_contact = 0.0;
+    lane.confirmed = false;
+  }
+  if (lane.phase != LegPhase::follow) return;
+  lane.cleared = true;
+  enter(lane, to_stand ? LegPhase::search : LegPhase::hold);
 }
 
 void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt,
@@ -221,6 +296,14 @@ void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt
       break;
     case LegPhase::retreat:
       step_back(lane, dt, X_OB, params);
+      break;
+    case LegPhase::search:
+      search(lane, sensed, dt, params);
+      break;
+    case LegPhase::follow:  // has a function of its own
+    case LegPhase::hold:
+      lane.v_O.setZero();
+      lane.a_O.setZero();
       break;
   }
   if (lane.phase != LegPhase::support) ramp(lane.load, 0.0, dt / params.unload_time);

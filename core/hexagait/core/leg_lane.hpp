@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <hexagait/core/commands.hpp>
+#include <hexagait/core/leg_plan.hpp>
 
 namespace hexagait {
 
@@ -15,6 +16,9 @@ enum class LegPhase : std::uint8_t {
   transfer,  ///< goes over to the foothold
   descend,   ///< goes down until it touches
   retreat,   ///< hit something on the way: back and up, then transfer again
+  follow,    ///< moves as a LegPlan says
+  search,    ///< goes on against the surface normal until it touches
+  hold,      ///< stays as it is relative to the body, without carrying
 };
 
 [[nodiscard]] const char* to_string(LegPhase phase) noexcept;
@@ -57,6 +61,14 @@ struct SwingParams {
   double lost_time = 0.03;
   /// … and for this long goes down to find it again [s].
   double regain_time = 0.06;
+
+  /// Who walks reacts: a foot that meets an edge retreats, one that finds no ground tries nearer. A
+  /// scripted foot does not: it searches along the surface normal, and who sent it decides.
+  bool reflexes = true;
+  double search_time = 1.5;  ///< without reflexes: a search is given up after this [s]
+  /// Rate at which a foot returns to the curve of its plan [1/s]. Larger: odometry's noise reaches
+  /// the joints.
+  double follow_rate = 10.0;
 };
 
 /// One leg's lane of the executor: which motion it is in and where its set point is. A value.
@@ -80,9 +92,22 @@ struct LegLane {
   bool touched_down = false;       ///< counts as support since this tick
   bool lifted = false;             ///< left support in this tick
 
+  // Of legs that follow a plan.
+  LegPhase after_unload = LegPhase::lift;
+  Vector3 normal_O = Vector3::UnitZ();  ///< of the ground that is expected
+  bool with_body = false;               ///< the plan is in the body frame, or in joints
+  bool lost = false;                    ///< searches for the ground it stood on
+  Vector3 p_plan = Vector3::Zero();     ///< where the plan of a foot is now, in its frame [m]
+  bool exhausted = false;               ///< has searched as far as it reaches, or for too long
+
   /// The foot stands where it is, loaded or not.
   [[nodiscard]] bool on_ground() const {
     return phase == LegPhase::support || phase == LegPhase::unload;
+  }
+
+  /// The set point goes with the ground when the base moves; if not, it stays in the body frame.
+  [[nodiscard]] bool with_ground() const {
+    return phase != LegPhase::hold && !(phase == LegPhase::follow && with_body);
   }
 
   /// Counts as a leg on the ground for rule 1.
@@ -100,6 +125,19 @@ struct LegSensed {
 
 /// Starts a step, or replaces the target of the one in progress.
 void command(LegLane& lane, const Footstep& step, const Pose& X_OB) noexcept;
+
+/// Starts a plan. A leg that carries hands its load over first.
+void command(LegLane& lane, const LegPlan& plan, const Pose& X_OB) noexcept;
+
+/// One tick of LegPhase::follow. Contact ends a plan that lands, once the foot has left the ground
+/// and is past half of its time or on its way down; the end of such a plan without contact becomes
+/// a search along the normal.
+/// @param rate  of the plan's time: 0 stands still, 1 as planned
+void follow(LegLane& lane, const LegPlan& plan, const LegSensed& sensed, const Pose& X_OB,
+            double dt, double rate, const SwingParams& params) noexcept;
+
+/// Ends a plan where it is: a foot in the air that is to stand goes down, any other stays.
+void interrupt(LegLane& lane, bool to_stand) noexcept;
 
 /// Advances the lane by dt. The set point has been carried along with the ground already.
 void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt,

@@ -97,13 +97,24 @@ Twist twist_between(const Pose& X_OB, const Pose& Y_OB, double dt) {
 
 }  // namespace
 
-void Odometry::reset(RobotState& state) {
+void Odometry::reset(RobotState& state, RestsOn rests_on) {
   const int n = model_->num_legs();
+  state.X_OB = rests_on == RestsOn::belly ? Pose{} : pose_over_feet(state);
+  state.V_B = {};
+  state.p_OF = LegArray<Vector3>(n);
+  for (LegId i = 0; i < n; ++i) state.p_OF[i] = state.X_OB * state.p_BF[i];
+  state.print_O = state.p_OF;
+  anchor_O_ = state.p_OF;
+  q_before_ = state.q;
+  trig_before_ = state.trig;
+  X_OB_ = state.X_OB;
+}
 
+Pose Odometry::pose_over_feet(const RobotState& state) const {
   // Plane z = a + b x + c y through the feet, least squares: three normal equations.
   Matrix3 normal = Matrix3::Zero();
   Vector3 right = Vector3::Zero();
-  for (LegId i = 0; i < n; ++i) {
+  for (LegId i = 0; i < model_->num_legs(); ++i) {
     const Vector3 row(1.0, state.p_BF[i].x(), state.p_BF[i].y());
     normal += row * row.transpose();
     right += row * state.p_BF[i].z();
@@ -113,19 +124,12 @@ void Odometry::reset(RobotState& state) {
 
   // z of odom is the plane's normal, x the body's forward direction within the plane.
   const Vector3 forward_B = (Vector3::UnitX() - up_B.x() * up_B).normalized();
-  state.X_OB.R.row(0) = forward_B;
-  state.X_OB.R.row(1) = up_B.cross(forward_B);
-  state.X_OB.R.row(2) = up_B;
-  state.X_OB.p = Vector3(0.0, 0.0, model_->foot_radius - plane.x() * up_B.z());
-
-  state.V_B = {};
-  state.p_OF = LegArray<Vector3>(n);
-  for (LegId i = 0; i < n; ++i) state.p_OF[i] = state.X_OB * state.p_BF[i];
-  state.print_O = state.p_OF;
-  anchor_O_ = state.p_OF;
-  q_before_ = state.q;
-  trig_before_ = state.trig;
-  X_OB_ = state.X_OB;
+  Pose X_OB;
+  X_OB.R.row(0) = forward_B;
+  X_OB.R.row(1) = up_B.cross(forward_B);
+  X_OB.R.row(2) = up_B;
+  X_OB.p = Vector3(0.0, 0.0, model_->foot_radius - plane.x() * up_B.z());
+  return X_OB;
 }
 
 void Odometry::update(RobotState& state, const LegArray<double>& footing, double dt) noexcept {

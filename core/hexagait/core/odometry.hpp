@@ -27,7 +27,8 @@ class Odometry {
 
   /// Puts the odom frame under the robot: z = 0 at the feet's mean lowest point, z normal to the
   /// plane through the feet, x and y those of the body.
-  void reset(RobotState& state);
+  /// A robot that lies has z of odom along that of its body, and z = 0 at its origin.
+  void reset(RobotState& state, RestsOn rests_on = RestsOn::feet);
 
   /// Fills X_OB, V_B and p_OF from q, trig and p_BF.
   /// @param footing  share of its load that each leg carries, 0 … 1; legs below 1 are anchored anew
@@ -35,6 +36,7 @@ class Odometry {
   void update(RobotState& state, const LegArray<double>& footing, double dt) noexcept;
 
  private:
+  [[nodiscard]] Pose pose_over_feet(const RobotState& state) const;
   void roll(RobotState& state, LegId leg, const Vector3& rotation_B, const Vector3& up_B) noexcept;
 
   const RobotModel* model_;

@@ -48,6 +48,23 @@ double distance(const Pose& a, const Pose& b) {
   return (a.p - b.p).norm() + rotation_vector(a.R.transpose() * b.R).norm();
 }
 
+// On its belly, feet are anywhere and tell nothing: level is what the body says it is.
+TEST(OdometryReset, TakesABodyThatLiesForLevelWhereverItsFeetAre) {
+  const RobotModel model = point_footed(6);
+  RobotState state = standing(six_feet());
+  state.p_BF[0].z() += 0.4;
+  state.p_BF[3].z() += 0.2;
+  Odometry odometry(model);
+  odometry.reset(state, RestsOn::belly);
+  EXPECT_EQ(state.X_OB.R, Matrix3::Identity());
+  EXPECT_EQ(state.X_OB.p, Vector3::Zero());
+  EXPECT_EQ(state.print_O[3], state.p_BF[3]);
+
+  // With no foot to rely on it stays there.
+  odometry.update(state, LegArray<double>(6, 0.0), kDt);
+  EXPECT_LT(distance(state.X_OB, {}), 1e-12);
+}
+
 // z of odom is the normal of the plane through the feet, its origin ρ below their centres: however
 // the body is held, its pose is found but for what feet on a plane cannot tell, x, y and yaw.
 TEST(OdometryReset, LevelsTheFrameOnTheFeet) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <hexagait/core/leg.hpp>
 #include <hexagait/core/robot_model.hpp>
 
@@ -14,11 +15,19 @@ struct Measurement {
   LegArray<bool> contact;  ///< foot touches something (load above the sensor's threshold)
 };
 
+/// How a leg's servos are driven.
+enum class ControlMode : std::uint8_t {
+  position,  ///< to q, with qd and effort fed forward
+  velocity,  ///< qd counts; q is its integral, for servos that know positions only
+  effort,    ///< effort counts, the position is free
+};
+
 /// What the robot's servos are to do until the next command.
 struct JointTargets {
-  LegArray<LegJoints> q;       ///< positions [rad]
-  LegArray<LegJoints> qd;      ///< velocities, feed-forward [rad/s]
-  LegArray<LegJoints> effort;  ///< efforts, feed-forward (load compensation) [N m]
+  LegArray<LegJoints> q;         ///< positions [rad]
+  LegArray<LegJoints> qd;        ///< velocities, feed-forward [rad/s]
+  LegArray<LegJoints> effort;    ///< efforts, feed-forward (load compensation) [N m]
+  LegArray<ControlMode> mode{};  ///< per leg; of size 0: all by position
 };
 
 enum class PlantStatus {

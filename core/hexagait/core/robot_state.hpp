@@ -2,12 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <hexagait/core/geometry.hpp>
 #include <hexagait/core/kinematics.hpp>
 #include <hexagait/core/leg.hpp>
 #include <hexagait/core/robot_model.hpp>
 
 namespace hexagait {
+
+/// What carries the robot when a controller takes it over.
+enum class RestsOn : std::uint8_t {
+  feet,   ///< it stands: all feet are taken to be on the ground
+  belly,  ///< it lies on level ground: no foot counts as standing, wherever it is
+};
 
 /// What the controller knows of the robot: the measurement, and what follows from it.
 /// Frames: O odom (z up), B body, F foot (centre of the spherical foot).

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cstdio>
 #include <hexagait/core/robot_model.hpp>
 #include <hexagait/core/violations.hpp>
@@ -10,6 +11,14 @@ void Violations::add(std::string_view element, std::string_view problem) {
   std::string line = source_;
   line.append(": ").append(element).append(": ").append(problem);
   lines_.push_back(std::move(line));
+}
+
+void Violations::add(const Mark& mark, std::string_view problem) {
+  std::string line = source_;
+  line.append(":").append(std::to_string(mark.line));
+  line.append(":").append(std::to_string(mark.column)).append(": ").append(problem);
+  if (std::find(lines_.begin(), lines_.end(), line) == lines_.end())
+    lines_.push_back(std::move(line));
 }
 
 void Violations::throw_if_any() const {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <hexagait/core/mark.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,11 @@ class Violations {
   /// Adds the line "source: element: problem". The problem names the value and what would be right.
   void add(std::string_view element, std::string_view problem);
 
+  /// Adds the line "source:line:column: problem", unless it is there already: what is referred to
+  /// twice is found twice.
+  void add(const Mark& mark, std::string_view problem);
+
+  [[nodiscard]] std::size_t size() const { return lines_.size(); }
   [[nodiscard]] bool empty() const { return lines_.empty(); }
 
   /// @throws InvalidInput  with all lines, if there are any

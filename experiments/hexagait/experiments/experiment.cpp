@@ -25,6 +25,11 @@ const std::vector<Experiment>& experiments() {
       {"wave_family",
        "[PC04] 3.2: wave gaits of every duty factor, 1/2 to 5/6 and back, in one walk",
        wave_family},
+      {"fg16_fig6", "[FG16] Fig. 6: up a step by footholds in the map, pushed and blocked",
+       fg16_fig6},
+      {"fg16_fig7",
+       "[FG16] Fig. 7: localisation that jumps, odometry that drifts, and both combined",
+       fg16_fig7},
       {"walks", "the walks by which the controller is judged: headings, postures, terrain", walks},
   };
   return all;

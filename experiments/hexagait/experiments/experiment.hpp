@@ -42,6 +42,8 @@ Outcome fig7a(const ExperimentContext& context, StagedFiles& files);
 Outcome fig7b(const ExperimentContext& context, StagedFiles& files);
 Outcome fig7_physics(const ExperimentContext& context, StagedFiles& files);
 Outcome fig9(const ExperimentContext& context, StagedFiles& files);
+Outcome fg16_fig6(const ExperimentContext& context, StagedFiles& files);
+Outcome fg16_fig7(const ExperimentContext& context, StagedFiles& files);
 Outcome fig10(const ExperimentContext& context, StagedFiles& files);
 Outcome wave_family(const ExperimentContext& context, StagedFiles& files);
 Outcome walks(const ExperimentContext& context, StagedFiles& files);

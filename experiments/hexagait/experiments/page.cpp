@@ -155,7 +155,10 @@ void write_page(const std::vector<Manifest>& manifests, const fs::path& out) {
   page << kHead << "<h1>Figures, tables and claims, made again</h1>\n"
        << "<p class=\"lead\">Experiments of J. M. Porta and E. Celaya, <i>Reactive Free-Gait "
           "Generation "
-          "to Follow Arbitrary Trajectories with a Hexapod Robot</i> [PC04], with hexagait "
+          "to Follow Arbitrary Trajectories with a Hexapod Robot</i> [PC04], and of P. Fankhauser "
+          "et "
+          "al., <i>Free Gait – An Architecture for the Versatile Control of Legged Robots</i> "
+          "[FG16], with hexagait "
        << kVersion << " (" << kRevision
        << "). What does not hold is said so, with the numbers.</p>\n"
        << overview_html(manifests);

@@ -16,7 +16,7 @@ struct Simulation {
   std::uint64_t seed = 1;     ///< of the terrain and of the random posture
   double physics_dt = 0.002;  ///< physics step [s]
   double control_dt = 0.002;  ///< control period, a whole number of physics steps [s]
-  footstep_gen::SensorMask sensors;
+  SensorMask sensors;
   gait_state::GaitChoice gait;  ///< until the schedule says otherwise
   double random_posture = 0.0;  ///< feet start displaced by up to this [m]
   walk::TrialOptions trial;

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
 #include <hexagait/core/executor.hpp>
-#include <hexagait/core/plant.hpp>
+#include <hexagait/core/plant_watch.hpp>
 #include <hexagait/core/robot_state.hpp>
 #include <hexagait/gait_state/latch.hpp>
 #include <hexagait/heading_control/heading.hpp>
@@ -12,16 +11,8 @@
 
 namespace hexagait::footstep_gen {
 
-/// Why the walker stands still and will not move again until it is started anew.
-enum class Fault : std::uint8_t {
-  none,
-  bad_measurement,  ///< a joint position that is not finite, or the wrong number of legs
-  plant_late,       ///< no measurement for longer than the limit
-  plant_closed,     ///< the plant is gone
-  emergency_stop,   ///< asked for
-};
-
-[[nodiscard]] const char* to_string(Fault fault) noexcept;
+using hexagait::Fault;
+using hexagait::to_string;
 
 /// Everything that one tick computed, by the stage that computed it and in the order of the stages.
 /// Log, replay, viewer and "why does leg 3 not step?" are all this struct.

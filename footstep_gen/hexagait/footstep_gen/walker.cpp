@@ -8,50 +8,11 @@
 
 namespace hexagait::footstep_gen {
 
-namespace {
-
-// Without contact sensors: a foot touches down where the ground was expected.
-bool planned_contact(const LegLane& lane, const Pose& X_OB) {
-  switch (lane.phase) {
-    case LegPhase::support:
-    case LegPhase::unload:
-      return true;
-    case LegPhase::descend:
-      return (X_OB * lane.p_BF).z() <= lane.step.p_OT.z();
-    default:
-      return false;
-  }
-}
-
-bool valid(const Measurement& measurement, int num_legs) {
-  bool finite = std::isfinite(measurement.time);
-  for (const LegJoints& q : measurement.q) finite = finite && q.allFinite();
-  return finite && measurement.q.size() == num_legs && measurement.contact.size() == num_legs;
-}
-
-}  // namespace
-
-const char* to_string(Fault fault) noexcept {
-  switch (fault) {
-    case Fault::none:
-      return "none";
-    case Fault::bad_measurement:
-      return "bad measurement";
-    case Fault::plant_late:
-      return "plant late";
-    case Fault::plant_closed:
-      return "plant closed";
-    case Fault::emergency_stop:
-      return "emergency stop";
-  }
-  return "?";
-}
-
 Walker::Walker(const RobotModel& model, const WalkerParams& params)
     : model_(&model),
       params_(params),
       workspaces_(heading_control::workspaces(model)),
-      odometry_(model),
+      estimator_(model, params.sensors),
       stepper_(model.num_legs(), nominal_step_time(params.executor.swing, params.step)),
       executor_(model, params.executor) {}
 
@@ -59,7 +20,7 @@ const TickRecord& Walker::tick(PlantStatus status, const Measurement& measuremen
                                const heading_control::Heading& heading) noexcept {
   record_.lifts = record_.waits = record_.rule1_violations = LegSet();
   if (!healthy(status, measurement)) return record_;
-  sense();         // what the joints and contacts say: feet, odometry
+  estimate();      // what the joints and contacts say: feet, odometry
   steer(heading);  // (r, α) → arc, and how far off the commanded curve we are
   decide();        // gait state: who may step; stepper: who does
   command();       // Footstep and BaseAuto
@@ -69,23 +30,12 @@ const TickRecord& Walker::tick(PlantStatus status, const Measurement& measuremen
 }
 
 void Walker::start(const Measurement& measurement) {
-  if (!valid(measurement, model_->num_legs()))
-    throw InvalidInput(
-        "Walker::start: the measurement must have a finite position for every joint of " +
-        model_->name);
+  StateEstimator estimator(*model_, params_.sensors);
+  const RobotState state = estimator.start(measurement);  // may throw: before anything changes
   *this = Walker(*model_, params_);
-  RobotState& state = record_.state;
+  estimator_ = estimator;
   record_.measurement = measurement;
-  state.time = measurement.time;
-  state.q = measurement.q;
-  state.contact = LegArray<bool>(model_->num_legs(), true);
-  state.trig = LegArray<LegTrig>(model_->num_legs());
-  state.p_BF = LegArray<Vector3>(model_->num_legs());
-  for (LegId i = 0; i < model_->num_legs(); ++i) {
-    state.trig[i] = leg_trig(model_->legs[i], state.q[i]);
-    state.p_BF[i] = foot_position(model_->legs[i], state.trig[i]);
-  }
-  odometry_.reset(state);
+  record_.state = state;
   executor_.reset(state);
   record_.targets = executor_.targets();
   record_.legs = executor_.legs();
@@ -96,38 +46,22 @@ void Walker::start(const Measurement& measurement) {
   record_.rear_edge = rear_edge(record_.arc, gait_state::hindmost_edge(model_->num_legs()));
 }
 
-// Bad input ends here: nothing behind it ever sees a number that is not finite.
 bool Walker::healthy(PlantStatus status, const Measurement& measurement) noexcept {
-  if (record_.fault != Fault::none) return false;
-  if (status == PlantStatus::closed) return stop(Fault::plant_closed), false;
-  if (status == PlantStatus::late) {
-    silence_ += params_.control_dt;
-    record_.holding = true;
+  const bool go = watch_.accepts(status, measurement, model_->num_legs(), params_.control_dt,
+                                 params_.late_limit);
+  record_.fault = watch_.fault();
+  record_.holding = watch_.holding();
+  if (go) {
+    record_.measurement = measurement;
+  } else {
     executor_.hold();
     record_.targets = executor_.targets();
-    if (silence_ > params_.late_limit) stop(Fault::plant_late);
-    return false;
   }
-  if (!valid(measurement, model_->num_legs())) return stop(Fault::bad_measurement), false;
-  silence_ = 0.0;
-  record_.holding = false;
-  record_.measurement = measurement;
-  return true;
+  return go;
 }
 
-void Walker::sense() noexcept {
-  RobotState& state = record_.state;
-  const Measurement& measured = record_.measurement;
-  state.time = measured.time;
-  for (LegId i = 0; i < model_->num_legs(); ++i) {
-    const LegLane& lane = executor_.legs()[i];
-    state.q[i] = params_.sensors.joint_feedback ? measured.q[i] : executor_.targets().q[i];
-    state.trig[i] = leg_trig(model_->legs[i], state.q[i]);
-    state.p_BF[i] = foot_position(model_->legs[i], state.trig[i]);
-    state.contact[i] =
-        params_.sensors.foot_contacts ? measured.contact[i] : planned_contact(lane, state.X_OB);
-  }
-  odometry_.update(state, executor_.footing(), params_.control_dt);
+void Walker::estimate() noexcept {
+  estimator_.update(record_.state, record_.measurement, executor_, params_.control_dt);
 }
 
 void Walker::steer(const heading_control::Heading& heading) noexcept {
@@ -197,7 +131,8 @@ void Walker::execute() noexcept {
 }
 
 void Walker::stop(Fault fault) noexcept {
-  record_.fault = fault;
+  watch_.stop(fault);
+  record_.fault = watch_.fault();
   executor_.hold();
   record_.targets = executor_.targets();
 }

@@ -2,19 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/core/odometry.hpp>
+#include <hexagait/core/plant_watch.hpp>
+#include <hexagait/core/state_estimator.hpp>
 #include <hexagait/footstep_gen/generator.hpp>
 #include <hexagait/footstep_gen/tick_record.hpp>
 #include <hexagait/gait_state/stepper.hpp>
 #include <hexagait/heading_control/path_tracker.hpp>
 
 namespace hexagait::footstep_gen {
-
-/// Which sensors the robot has. What is missing is assumed to go as planned.
-struct SensorMask {
-  bool joint_feedback = true;  ///< without: the targets count as measured
-  bool foot_contacts = true;   ///< without: the ground is where and when it was planned
-};
 
 struct WalkerParams {
   double control_dt = 0.002;  ///< control period [s]
@@ -58,7 +53,7 @@ class Walker {
 
  private:
   bool healthy(PlantStatus status, const Measurement& measurement) noexcept;
-  void sense() noexcept;
+  void estimate() noexcept;
   void steer(const heading_control::Heading& heading) noexcept;
   void decide() noexcept;
   void command() noexcept;
@@ -73,13 +68,13 @@ class Walker {
   const RobotModel* model_;
   WalkerParams params_;
   heading_control::Workspaces workspaces_;
-  Odometry odometry_;
+  PlantWatch watch_;
+  StateEstimator estimator_;
   heading_control::PathTracker tracker_;
   gait_state::GaitLatch latch_;
   gait_state::Stepper stepper_;
   Executor executor_;
-  long ticks_ = 0;        ///< that were walked: a late period makes no step longer
-  double silence_ = 0.0;  ///< time since the last fresh measurement [s]
+  long ticks_ = 0;  ///< that were walked: a late period makes no step longer
   TickRecord record_;
 };
 

@@ -150,5 +150,93 @@ TEST_F(ServoOnStand, IsNotLedBeyondTheLimitsOfItsJoint) {
   EXPECT_NEAR(q_of(world)[0][0], robot_.legs[0].limits[0].upper, 1e-6);
 }
 
+// By velocity q plays no part. Two equal legs with opposite velocities, gravity off: after the
+// first moments each turns as fast as it is told to, whatever q says.
+TEST_F(ServoOnStand, TurnsAsFastAsItIsToldToByVelocity) {
+  params_.gravity = 0.0;
+  World world(robot_, {}, params_, kZero);
+  JointTargets targets{kZero, kZero, kZero, LegArray<ControlMode>(6, ControlMode::position)};
+  targets.mode[0] = targets.mode[3] = ControlMode::velocity;
+  targets.q[0] = targets.q[3] = LegJoints(0.5, 0.5, 0.5);
+  targets.qd[0] = LegJoints(0.4, 0.0, 0.3);
+  targets.qd[3] = LegJoints(-0.4, 0.0, 0.3);
+  hold(world, targets, 0.5);
+  const LegArray<LegJoints> before = q_of(world);
+  hold(world, targets, 0.5);
+  const LegArray<LegJoints> after = q_of(world);
+  EXPECT_NEAR((after[0][0] - before[0][0]) / 0.5, 0.4, 1e-3);
+  EXPECT_NEAR((after[3][0] - before[3][0]) / 0.5, -0.4, 1e-3);
+  EXPECT_NEAR((after[0][2] - before[0][2]) / 0.5, 0.3, 1e-3);
+  EXPECT_NEAR(after[1].norm(), 0.0, 1e-9) << "by position, at 0";
+}
+
+// By effort nothing holds the leg but what it is given. Straight out and weightless, turned about
+// the yaw axis by τ for one step of h from rest: q̇ = h τ/(I + h D), q = h q̇ (I: above).
+TEST_F(ServoOnStand, TurnsFreelyByEffort) {
+  params_.gravity = 0.0;
+  World world(robot_, {}, params_, kZero);
+  JointTargets targets{kZero, kZero, kZero, LegArray<ControlMode>(6, ControlMode::position)};
+  targets.mode[2] = ControlMode::effort;
+  targets.q[2][0] = -0.9;  // of no account
+  targets.effort[2][0] = 30.0;
+  world.write(targets);
+
+  const double tibia = robot_.legs[2].links[2].inertia_M_L(2, 2);
+  const double inertia = 0.000839583 + 1.0 * 0.04 * 0.04 + 0.0080275 + 1.2 * 0.22 * 0.22 + tibia +
+                         0.8 * 0.55475 * 0.55475;
+  const double h = 0.002;
+  const double qd = h * 30.0 / (inertia + h * params_.servo_friction);
+  EXPECT_NEAR(q_of(world)[2][0], h * qd, 1e-3 * h * qd);
+  EXPECT_NEAR(world.efforts()[2][0], 30.0 - params_.servo_friction * qd, 1e-3);
+}
+
+// A leg whose weight is carried by its efforts floats: it stays where it is put, and nothing else
+// holds it. With 1 N m less at the hip it sinks.
+TEST_F(ServoOnStand, FloatsByEffortWhereItsLoadIsFedForward) {
+  const LegArray<LegJoints> q(6, LegJoints(0.3, -0.4, 1.2));
+  JointTargets targets{kZero, kZero, kZero, LegArray<ControlMode>(6, ControlMode::effort)};
+  for (LegId leg = 0; leg < 6; ++leg)
+    for (int k = 0; k < 3; ++k) targets.effort[leg][k] = -gravity_torque(leg, k, q[leg]);
+  targets.effort[5][1] += 1.0;  // positive pitch turns the leg down
+  World world(robot_, {}, params_, q);
+  hold(world, targets, 0.2);
+  EXPECT_NEAR((q_of(world)[0] - q[0]).norm(), 0.0, 1e-4);
+  EXPECT_GT(q_of(world)[5][1], q[5][1] + 0.01);
+}
+
+// Neither mode has a position to clamp: the stop must hold.
+TEST_F(ServoOnStand, StopsAtItsLimitsInEveryMode) {
+  for (const ControlMode mode : {ControlMode::velocity, ControlMode::effort}) {
+    World world(robot_, {}, params_, kZero);
+    JointTargets targets{kZero, kZero, kZero, LegArray<ControlMode>(6, mode)};
+    for (LegId leg = 0; leg < 6; ++leg) {
+      const double way = leg % 2 == 0 ? 1.0 : -1.0;
+      targets.qd[leg] = LegJoints::Constant(2.0 * way);
+      targets.effort[leg] = LegJoints::Constant(50.0 * way);
+    }
+    hold(world, targets, 3.0);
+    for (LegId leg = 0; leg < 6; ++leg) {
+      for (int k = 0; k < 3; ++k) {
+        const JointLimits& limits = robot_.legs[leg].limits[static_cast<std::size_t>(k)];
+        const double stop = leg % 2 == 0 ? limits.upper : limits.lower;
+        EXPECT_NEAR(q_of(world)[leg][k], stop, 0.05) << leg << " " << k;
+      }
+    }
+  }
+}
+
+// A leg that was led by effort is caught where its position servo is told to.
+TEST_F(ServoOnStand, GoesBackToPositionsWhenItIsToldTo) {
+  World world(robot_, {}, params_, kZero);
+  JointTargets targets{kZero, kZero, kZero, LegArray<ControlMode>(6, ControlMode::effort)};
+  hold(world, targets, 0.1);
+  targets.mode = LegArray<ControlMode>(6, ControlMode::position);
+  hold(world, targets, 2.0);
+  World other(robot_, {}, params_, kZero);
+  hold(other, {kZero, kZero, kZero}, 2.0);
+  for (LegId leg = 0; leg < 6; ++leg)
+    EXPECT_NEAR((q_of(world)[leg] - q_of(other)[leg]).norm(), 0.0, 1e-6);
+}
+
 }  // namespace
 }  // namespace hexagait::sim3d

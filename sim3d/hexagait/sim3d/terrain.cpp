@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -12,6 +13,15 @@ namespace hexagait::sim3d {
 namespace {
 
 constexpr int kPadCells = 2;  // the start pad covers cells −2 … 1 of both axes
+
+// The kinds that have a height.
+struct HighKind {
+  std::string_view name;
+  TerrainSpec::Kind kind;
+};
+constexpr std::array kHighKinds = {HighKind{"boxes", TerrainSpec::Kind::boxes},
+                                   HighKind{"steps", TerrainSpec::Kind::steps},
+                                   HighKind{"step", TerrainSpec::Kind::step}};
 
 [[noreturn]] void refuse(std::string_view text, const std::string& reason) {
   std::string message = "terrain \"";
@@ -37,6 +47,7 @@ const std::vector<TerrainDescription>& known_terrains() {
       {"flat", "the plane z = 0"},
       {"boxes:H", "0.3 m cells at random levels from 0 to H, with vertical faces between them"},
       {"steps:H", "the same levels as a heightfield: 25 mm wide ramps instead of vertical faces"},
+      {"step:H", "one step up to H, 0.6 m ahead of where the robot starts"},
   };
   return known;
 }
@@ -45,11 +56,12 @@ TerrainSpec parse_terrain(std::string_view text) {
   const std::size_t colon = text.find(':');
   const std::string_view kind = text.substr(0, colon);
   if (text == "flat") return {};
-  if (kind != "boxes" && kind != "steps") refuse(text, "unknown kind");
+  const auto known = std::ranges::find(kHighKinds, kind, &HighKind::name);
+  if (known == kHighKinds.end()) refuse(text, "unknown kind");
   if (colon == std::string_view::npos) refuse(text, "the height is missing");
 
   TerrainSpec spec;
-  spec.kind = kind == "boxes" ? TerrainSpec::Kind::boxes : TerrainSpec::Kind::steps;
+  spec.kind = known->kind;
   spec.height = height_of(text, text.substr(colon + 1));
   return spec;
 }
@@ -59,8 +71,8 @@ std::string to_string(const TerrainSpec& spec) {
   std::array<char, 32> digits{};
   const auto [end, error] =
       std::to_chars(digits.data(), digits.data() + digits.size(), spec.height);
-  const std::string kind = spec.kind == TerrainSpec::Kind::boxes ? "boxes:" : "steps:";
-  return kind + std::string(digits.data(), end);
+  const auto known = std::ranges::find(kHighKinds, spec.kind, &HighKind::kind);
+  return std::string(known->name) + ":" + std::string(digits.data(), end);
 }
 
 Terrain::Terrain(const TerrainSpec& spec, std::uint64_t seed) : spec_(spec), seed_(seed) {
@@ -77,6 +89,8 @@ Terrain::Terrain(const TerrainSpec& spec, std::uint64_t seed) : spec_(spec), see
 double Terrain::level(int i, int j) const {
   const auto on_pad = [](int k) { return -kPadCells <= k && k < kPadCells; };
   if (spec_.kind == TerrainSpec::Kind::flat || (on_pad(i) && on_pad(j))) return 0.0;
+
+  if (spec_.kind == TerrainSpec::Kind::step) return i >= kPadCells ? spec_.height : 0.0;
 
   // The pair of indices is the draw: every cell of the plane has a number of its own.
   const std::uint64_t high = static_cast<std::uint32_t>(i), low = static_cast<std::uint32_t>(j);

@@ -15,9 +15,10 @@ struct TerrainSpec {
     flat,   ///< the plane z = 0
     boxes,  ///< square cells at random levels, with vertical faces between them
     steps,  ///< the same levels as a heightfield: between cells a ramp one sample wide
+    step,   ///< 0 behind the front end of the start pad, from there on the height
   };
   Kind kind = Kind::flat;
-  double height = 0.0;  ///< levels are uniform in [0, height) [m]
+  double height = 0.0;  ///< levels are uniform in [0, height), or of the step [m]
   double cell = 0.3;    ///< edge of a cell [m]
 
   friend bool operator==(const TerrainSpec&, const TerrainSpec&) = default;
@@ -32,7 +33,8 @@ struct TerrainDescription {
 /// All terrains that parse_terrain() understands.
 [[nodiscard]] const std::vector<TerrainDescription>& known_terrains();
 
-/// Reads "flat", "boxes:H" or "steps:H", where H is a length such as 0.10, 0.10m, 10cm or 100mm.
+/// Reads "flat", "boxes:H", "steps:H" or "step:H", where H is a length such as 0.10, 0.10m, 10cm or
+/// 100mm.
 /// @throws InvalidInput  naming the text and what would be right, for an unknown kind, a missing,
 ///                       negative or non-finite height, or anything left over
 [[nodiscard]] TerrainSpec parse_terrain(std::string_view text);
@@ -44,8 +46,8 @@ struct TerrainDescription {
 ///
 /// Cell (i, j) covers [i·cell, (i+1)·cell) × [j·cell, (j+1)·cell) in the world frame. Its level is
 /// random number (i, j) of RandomStream::terrain, so it depends neither on where the robot is nor
-/// on which cells were asked for before. The 4 × 4 cells around the origin are the start pad, at 0.
-/// Coordinates may be up to 10⁸ cells.
+/// on which cells were asked for before. Of a step it is 0 or the height. The 4 × 4 cells around
+/// the origin are the start pad, at 0. Coordinates may be up to 10⁸ cells.
 class Terrain {
  public:
   /// @throws InvalidInput  if the height is negative or not finite, or the cell not positive

@@ -22,11 +22,12 @@ TEST(ParseTerrain, ReadsTheKindAndTheHeightInAnyUnit) {
   }
   EXPECT_EQ(parse_terrain("steps:0").kind, Kind::steps);
   EXPECT_EQ(parse_terrain("steps:0").height, 0.0);
+  EXPECT_EQ(parse_terrain("step:12cm"), (TerrainSpec{Kind::step, 0.12}));
 }
 
 TEST(ParseTerrain, ReadsBackWhatToStringWrites) {
   for (const double height : {0.0, 0.1, 1.0 / 3.0, 1e-9}) {
-    for (const Kind kind : {Kind::boxes, Kind::steps}) {
+    for (const Kind kind : {Kind::boxes, Kind::steps, Kind::step}) {
       const TerrainSpec spec{kind, height};
       EXPECT_EQ(parse_terrain(to_string(spec)), spec);
     }
@@ -43,7 +44,7 @@ TEST(ParseTerrain, RefusesWhatItDoesNotKnowAndSaysWhatWouldBeRight) {
       ADD_FAILURE() << "accepted \"" << text << "\"";
     } catch (const InvalidInput& refusal) {
       EXPECT_THAT(refusal.what(), testing::HasSubstr("\"" + text + "\""));
-      EXPECT_THAT(refusal.what(), testing::HasSubstr("flat boxes:H steps:H"));
+      EXPECT_THAT(refusal.what(), testing::HasSubstr("flat boxes:H steps:H step:H"));
     }
   }
 }
@@ -54,6 +55,14 @@ TEST(Terrain, RefusesAHeightOrACellThatIsNone) {
   EXPECT_THROW(Terrain({Kind::boxes, nan}, 1), InvalidInput);
   EXPECT_THROW(Terrain({Kind::boxes, 0.1, 0.0}, 1), InvalidInput);
   EXPECT_THROW(Terrain({Kind::boxes, 0.1, nan}, 1), InvalidInput);
+}
+
+TEST(Terrain, HasAStepAtTheFrontEndOfTheStartPad) {
+  const Terrain terrain({Kind::step, 0.12}, 1);
+  for (const double y : {-50.0, -0.1, 0.0, 0.7, 1000.0}) {
+    for (const double x : {-40.0, 0.0, 0.599}) EXPECT_EQ(terrain.height_at(x, y), 0.0) << x;
+    for (const double x : {0.601, 0.9, 3.0, 700.0}) EXPECT_EQ(terrain.height_at(x, y), 0.12) << x;
+  }
 }
 
 TEST(Terrain, IsAFunctionOfSpecAndSeed) {
@@ -71,7 +80,7 @@ TEST(Terrain, IsAFunctionOfSpecAndSeed) {
 
 TEST(Terrain, IsFlatUnderTheStart) {
   RandomSequence random{.seed = 1};
-  for (const Kind kind : {Kind::flat, Kind::boxes, Kind::steps}) {
+  for (const Kind kind : {Kind::flat, Kind::boxes, Kind::steps, Kind::step}) {
     const Terrain terrain({kind, 0.2}, 3);
     for (int k = 0; k < 1000; ++k) {
       // Half a sample of the heightfield lies on the ramp that leads off the pad.
@@ -137,6 +146,20 @@ TEST(Terrain, StepsHaveNoVerticalFaces) {
     largest = std::max(largest, std::abs(change));
   }
   EXPECT_GT(largest, 0.1 * most);
+}
+
+// Whatever the seed.
+TEST(Terrain, OfAStepIsUpFromTheEndOfTheStartPadOn) {
+  for (const std::uint64_t seed : {1U, 2U}) {
+    const Terrain terrain(parse_terrain("step:12cm"), seed);
+    for (int k = -60; k <= 60; ++k) {
+      const double y = 0.3 * k + 0.1;
+      EXPECT_EQ(terrain.height_at(-20.0, y), 0.0);
+      EXPECT_EQ(terrain.height_at(0.6 - 1e-9, y), 0.0);
+      EXPECT_EQ(terrain.height_at(0.6 + 1e-9, y), 0.12);
+      EXPECT_EQ(terrain.height_at(20.0, y), 0.12);
+    }
+  }
 }
 
 TEST(KnownTerrains, AreAllUnderstood) {

@@ -38,7 +38,8 @@ Pose start_pose(const RobotModel& model, const Terrain& terrain, const WorldPara
     const Vector3 p_WF = X_WB * foot_position(model.legs[leg], q[leg]);
     z = std::max(z, terrain.height_at(p_WF.x(), p_WF.y()) + model.foot_radius - p_WF.z());
   }
-  X_WB.p.z() = z + params.start_clearance;
+  const double ground = terrain.height_at(X_WB.p.x(), X_WB.p.y());
+  X_WB.p.z() = std::max(z + params.start_clearance, ground + params.start_height);
   return X_WB;
 }
 
@@ -90,7 +91,7 @@ class World::Impl {
         physics_steps_(static_cast<int>(std::lround(params.control_dt / params.physics_dt))),
         threading_(dThreadingAllocateSelfThreadedImplementation()),
         world_(make_ode_world(params, threading_.get())),
-        ground_(Terrain(spec, params.seed)),
+        ground_(Terrain(spec, params.seed), params.blocks),
         contacts_(world_.get(), params),
         robot_(world_.get(), model, params, start_pose(model, terrain(), params, q), q),
         felt_(model.num_legs(), false) {
@@ -112,6 +113,11 @@ class World::Impl {
     for (int k = 0; k < physics_steps_ && truth_.finite; ++k) step(k * params_.physics_dt);
   }
 
+  void push(const Vector3& force_W, double seconds) {
+    push_ = force_W;
+    push_steps_ = std::lround(seconds / params_.physics_dt);
+  }
+
   const GroundTruth& truth() const { return truth_; }
   const LegArray<LegJoints>& efforts() const { return robot_.servos().efforts(); }
   const Terrain& terrain() const { return ground_.terrain(); }
@@ -120,7 +126,8 @@ class World::Impl {
   void step(double age) {
     const long complaints = detail::solver_complaints();
     contacts_.find(ground_, robot_.shapes());
-    robot_.step(age);
+    robot_.step(age, push_steps_ > 0 ? push_ : Vector3::Zero());
+    if (push_steps_ > 0) --push_steps_;
     truth_.solver_complaints += detail::solver_complaints() > complaints ? 1 : 0;
     truth_.finite = robot_.is_sane();
     if (!truth_.finite) return;
@@ -151,7 +158,9 @@ class World::Impl {
   detail::Ground ground_;
   detail::Contacts contacts_;
   detail::Robot robot_;
-  LegArray<bool> felt_;  // latched over the control period
+  LegArray<bool> felt_;             // latched over the control period
+  Vector3 push_ = Vector3::Zero();  // on the base [N]
+  long push_steps_ = 0;             // still to go
   GroundTruth truth_;
 };
 
@@ -167,6 +176,7 @@ World& World::operator=(World&&) noexcept = default;
 
 PlantStatus World::read(Measurement& measurement) { return impl_->read(measurement); }
 void World::write(const JointTargets& targets) { impl_->write(targets); }
+void World::push(const Vector3& force_W, double seconds) { impl_->push(force_W, seconds); }
 const GroundTruth& World::truth() const { return impl_->truth(); }
 const LegArray<LegJoints>& World::efforts() const { return impl_->efforts(); }
 const Terrain& World::terrain() const { return impl_->terrain(); }

@@ -8,9 +8,18 @@
 #include <hexagait/core/plant.hpp>
 #include <hexagait/core/robot_model.hpp>
 #include <hexagait/sim3d/terrain.hpp>
+#include <limits>
 #include <memory>
+#include <vector>
 
 namespace hexagait::sim3d {
+
+/// A box that stands in the world, its edges along the axes, and does not move: what lies in the
+/// way and nobody knows of.
+struct Block {
+  Vector3 centre = Vector3::Zero();       ///< [m]
+  Vector3 size = Vector3::Constant(0.1);  ///< edges [m]
+};
 
 /// How a World is simulated. The defaults suit a robot of some 50 kg.
 struct WorldParams {
@@ -31,6 +40,13 @@ struct WorldParams {
   /// the body and kick.
   double servo_kp = 4000.0;
   double servo_kd = 100.0;
+
+  /// The same servos by velocity: τ = Kv (q̇* − q̇₊) + τ* [N m s/rad]. Too soft, and the leg's weight
+  /// drives it.
+  double servo_kv = 1000.0;
+
+  /// And by effort: τ = τ* − D q̇₊, D the friction of the drive [N m s/rad].
+  double servo_friction = 1.0;
 
   /// Coulomb friction μ between robot and ground: in each of two directions along the ground, at
   /// most μ · normal force (a pyramid).
@@ -57,9 +73,15 @@ struct WorldParams {
   /// origin.
   PlanarPose start;
 
-  /// Height of the lowest foot above the ground at the start [m]. Only feet are looked at: a robot
-  /// that lies on its belly needs more.
+  /// Height of the lowest foot above the ground at the start [m].
   double start_clearance = 1e-4;
+
+  /// Least height of the base's origin above the ground below it at the start [m]: for a robot that
+  /// lies on its belly.
+  double start_height = -std::numeric_limits<double>::infinity();
+
+  /// On the terrain, which knows nothing of them: Terrain::height_at() is the ground without.
+  std::vector<Block> blocks;
 
   /// Clamps the base to a test stand: it stays where it starts and the legs hang from it.
   bool base_on_stand = false;
@@ -73,7 +95,9 @@ struct WorldParams {
 ///
 /// with q*, q̇*, τ* the targets and q₊, q̇₊ the state, all at the end of the physics step; between
 /// two writes q* moves on at q̇*. Position targets are kept within the joint's limits, which is the
-/// only stop that joints have. Until the first write() the servos hold the initial joint positions.
+/// only stop that joints have. Legs may also be driven by velocity or by effort
+/// (JointTargets::mode); a joint that comes to its limit then is held there by the position servo.
+/// Until the first write() the servos hold the initial joint positions.
 ///
 /// Feet are the spheres at the legs' foot centres. All other shapes touch the ground too, but have
 /// no sensor. Links of the robot pass through each other. The ground never ends: see Terrain.
@@ -100,6 +124,10 @@ class World : public Plant {
   /// finite close the plant.
   /// @pre targets for as many legs as the robot has
   void write(const JointTargets& targets) override;
+
+  /// Somebody pushes the base: a force at the base link's centre of mass [N], world axes, for so
+  /// long from now on [s], to whole physics steps. A later push takes the place of an earlier one.
+  void push(const Vector3& force_W, double seconds);
 
   /// For the referee alone.
   [[nodiscard]] const GroundTruth& truth() const;

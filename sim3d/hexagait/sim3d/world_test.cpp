@@ -268,6 +268,56 @@ TEST(World, ClosesOnTargetsThatAreNotFinite) {
   EXPECT_FALSE(world.truth().finite);
 }
 
+// Of the whole robot [m].
+Vector3 centre_of_mass(World& world) {
+  Measurement measurement;
+  EXPECT_EQ(world.read(measurement), PlantStatus::fresh);
+  Vector3 sum = argos().base.mass * (argos().base.X_BL0 * argos().base.p_LM);
+  double mass = argos().base.mass;
+  for (LegId leg = 0; leg < 6; ++leg)
+    for (int k = 0; k < 3; ++k) {
+      const LinkModel& link = argos().legs[leg].links[static_cast<std::size_t>(k)];
+      sum += link.mass * (link_pose(argos().legs[leg], k, measurement.q[leg]) * link.p_LM);
+      mass += link.mass;
+    }
+  return world.truth().X_WB * Vector3(sum / mass);
+}
+
+// Newton: without gravity, F moves the centre of mass of the floating robot by F h² n (n + 1)/2m in
+// n steps, whatever the legs do meanwhile: be still, or kick with all that their servos have, in
+// which each step is done twice.
+TEST(World, IsPushedByAForceForATime) {
+  const Vector3 force(30.0, -20.0, 50.0);
+  WorldParams params;
+  params.gravity = 0.0;
+  params.start_clearance = 5.0;
+  for (const double kick : {0.0, 1.0}) {
+    World world(argos(), {}, params, stance());
+    const Vector3 p0 = centre_of_mass(world);
+    world.push(force, 0.2);
+    LegArray<LegJoints> q = stance();
+    for (LegJoints& leg : q) leg += Vector3::Constant(kick);
+    run(world, at(q), 0.2);
+    const Vector3 way = force / argos().mass * 0.002 * 0.002 * 100 * 101 / 2;
+    EXPECT_NEAR((centre_of_mass(world) - p0 - way).norm(), 0.0, 1e-5) << kick;
+
+    // Then it floats on at F t/m.
+    run(world, at(q), 0.5);
+    const Vector3 end = p0 + way + force / argos().mass * 0.2 * 0.5;
+    EXPECT_NEAR((centre_of_mass(world) - end).norm(), 0.0, 1e-5) << kick;
+  }
+}
+
+TEST(World, StandsOnABlockThatTheTerrainDoesNotKnow) {
+  WorldParams params;
+  params.blocks = {{{0.0, 0.0, 0.05}, {4.0, 4.0, 0.1}}};
+  params.start_clearance = 0.101;
+  World world(argos(), {}, params, stance());
+  run(world, at(stance()), 1.0);
+  EXPECT_NEAR(world.truth().feet[0].p_WF.z(), 0.1 + argos().foot_radius, 1e-4);
+  EXPECT_EQ(world.terrain().height_at(0.0, 0.0), 0.0);
+}
+
 // Under 10⁷ m/s² the robot is at 2 · 10⁴ m/s after one step, and ODE would soon abort.
 TEST(World, ClosesWhenThePhysicsBlowsUp) {
   WorldParams params;
@@ -303,13 +353,14 @@ TEST(World, RefusesEverythingThatIsWrongAtOnce) {
   params.control_dt = 0.005;
   params.friction = -1.0;
   params.contact_erp = 1.5;
+  params.blocks = {{{0.0, 0.0, 0.0}, {0.1, 0.0, 0.1}}};
   params.start.angle = std::numeric_limits<double>::quiet_NaN();
   try {
     World world(robot, {}, params, q);
     FAIL() << "accepted";
   } catch (const InvalidInput& refusal) {
     for (const char* part : {"RF_femur", "LM: ", "RM_yaw", "LR_knee", "-1 rad", "control_dt",
-                             "friction", "contact_erp", "start"}) {
+                             "friction", "contact_erp", "start", "blocks"}) {
       EXPECT_THAT(refusal.what(), testing::HasSubstr(part));
     }
   }

@@ -51,9 +51,9 @@ TEST(Physics, WalksEveryHeadingOnFlatGroundWithoutSlippingOrStraying) {
 }
 
 TEST(Physics, WalksOnFlatGroundWithoutContactSensorsOrWithoutJointFeedback) {
-  for (const footstep_gen::SensorMask mask :
-       {footstep_gen::SensorMask{.joint_feedback = true, .foot_contacts = false},
-        footstep_gen::SensorMask{.joint_feedback = false, .foot_contacts = true}}) {
+  for (const SensorMask mask :
+       {SensorMask{.joint_feedback = true, .foot_contacts = false},
+        SensorMask{.joint_feedback = false, .foot_contacts = true}}) {
     WalkerParams params;
     params.sensors = mask;
     const Summary s = walk_for(6.0, Heading::straight(0.0), "flat", params);

@@ -40,6 +40,8 @@ void check_params(Violations& violations, const WorldParams& p) {
   not_negative("gravity [m/s²]", p.gravity);
   not_negative("servo_kp [N m/rad]", p.servo_kp);
   positive("servo_kd [N m s/rad]", p.servo_kd);
+  positive("servo_kv [N m s/rad]", p.servo_kv);
+  positive("servo_friction [N m s/rad]", p.servo_friction);
   not_negative("friction", p.friction);
   not_negative("contact_threshold [N]", p.contact_threshold);
   fraction("contact_erp", p.contact_erp);
@@ -48,6 +50,12 @@ void check_params(Violations& violations, const WorldParams& p) {
   fraction("hinge_erp", p.hinge_erp);
   not_negative("hinge_cfm", p.hinge_cfm);
   not_negative("start_clearance [m]", p.start_clearance);
+  if (!(p.start_height < kFarthestStart))
+    violations.add("start_height [m]", in_words(p.start_height) + " must be less than 100 km");
+  for (const Block& block : p.blocks) {
+    if (block.centre.allFinite() && block.size.allFinite() && block.size.minCoeff() > 0.0) continue;
+    violations.add("blocks [m]", "must be finite, with edges that are positive");
+  }
   if (!(p.start.shift.norm() < kFarthestStart) || !std::isfinite(p.start.angle)) {
     violations.add("start", "must be finite and within 100 km of the origin");
   }

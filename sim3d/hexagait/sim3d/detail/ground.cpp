@@ -9,25 +9,42 @@ namespace {
 constexpr double kDepth = 1.0;      // of the ground below the lowest level [m]
 constexpr int kPatchSamples = 257;  // along an edge of the heightfield patch
 
+// What two shapes have in common, as far as there is room for it.
+int collide_pair(dGeomID geom, dGeomID other, std::span<dContactGeom> contacts) {
+  const int room = std::min(static_cast<int>(contacts.size()), Ground::kContactsPerPair);
+  if (room == 0) return 0;
+  return dCollide(geom, other, room, contacts.data(), sizeof(dContactGeom));
+}
+
 }  // namespace
 
-Ground::Ground(const Terrain& terrain) : terrain_(terrain) {
+Ground::Ground(const Terrain& terrain, std::span<const Block> blocks) : terrain_(terrain) {
   switch (terrain.spec().kind) {
     case TerrainSpec::Kind::flat:
       geom_.reset(dCreatePlane(nullptr, 0, 0, 1, 0));
       break;
     case TerrainSpec::Kind::boxes:
+    case TerrainSpec::Kind::step:
       geom_.reset(dCreateBox(nullptr, terrain.spec().cell, terrain.spec().cell, box_height()));
       break;
     case TerrainSpec::Kind::steps:
       create_heightfield();
       break;
   }
+  for (const Block& block : blocks) {
+    blocks_.emplace_back(dCreateBox(nullptr, block.size.x(), block.size.y(), block.size.z()));
+    dGeomSetPosition(blocks_.back().get(), block.centre.x(), block.centre.y(), block.centre.z());
+  }
 }
 
 double Ground::box_height() const { return terrain_.spec().height + kDepth; }
 
 int Ground::collide(dGeomID geom, std::span<dContactGeom> contacts) {
+  const int count = collide_terrain(geom, contacts);
+  return count + collide_blocks(geom, contacts.subspan(static_cast<std::size_t>(count)));
+}
+
+int Ground::collide_terrain(dGeomID geom, std::span<dContactGeom> contacts) {
   // Most shapes are above everything that the terrain has.
   Aabb aabb;
   dGeomGetAABB(geom, aabb.data());
@@ -35,8 +52,9 @@ int Ground::collide(dGeomID geom, std::span<dContactGeom> contacts) {
 
   switch (terrain_.spec().kind) {
     case TerrainSpec::Kind::flat:
-      return collide_pair(geom, contacts);
+      return collide_pair(geom, geom_.get(), contacts);
     case TerrainSpec::Kind::boxes:
+    case TerrainSpec::Kind::step:
       return collide_boxes(geom, aabb, contacts);
     case TerrainSpec::Kind::steps:
       return collide_patch(geom, aabb, contacts);
@@ -44,10 +62,11 @@ int Ground::collide(dGeomID geom, std::span<dContactGeom> contacts) {
   return 0;
 }
 
-int Ground::collide_pair(dGeomID geom, std::span<dContactGeom> contacts) {
-  const int room = std::min(static_cast<int>(contacts.size()), kContactsPerPair);
-  if (room == 0) return 0;
-  return dCollide(geom, geom_.get(), room, contacts.data(), sizeof(dContactGeom));
+int Ground::collide_blocks(dGeomID geom, std::span<dContactGeom> contacts) {
+  int count = 0;
+  for (const GeomPtr& block : blocks_)
+    count += collide_pair(geom, block.get(), contacts.subspan(static_cast<std::size_t>(count)));
+  return count;
 }
 
 int Ground::collide_boxes(dGeomID geom, const Aabb& aabb, std::span<dContactGeom> contacts) {
@@ -61,7 +80,7 @@ int Ground::collide_boxes(dGeomID geom, const Aabb& aabb, std::span<dContactGeom
       const double level = terrain_.level(i, j);
       if (aabb[4] > level) continue;
       dGeomSetPosition(geom_.get(), (i + 0.5) * cell, (j + 0.5) * cell, level - 0.5 * box_height());
-      count += collide_pair(geom, contacts.subspan(static_cast<std::size_t>(count)));
+      count += collide_pair(geom, geom_.get(), contacts.subspan(static_cast<std::size_t>(count)));
     }
   }
   return count;
@@ -77,7 +96,7 @@ int Ground::collide_patch(dGeomID geom, const Aabb& aabb, std::span<dContactGeom
   const double to_middle = 0.5 + 0.5 * (kPatchSamples - 1);
   dGeomSetPosition(geom_.get(), (patch_a_ + to_middle) * spacing, (patch_b_ + to_middle) * spacing,
                    0.0);
-  return collide_pair(geom, contacts);
+  return collide_pair(geom, geom_.get(), contacts);
 }
 
 void Ground::create_heightfield() {

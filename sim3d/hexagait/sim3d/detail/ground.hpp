@@ -4,8 +4,9 @@
 
 #include <array>
 #include <hexagait/sim3d/detail/ode.hpp>
-#include <hexagait/sim3d/terrain.hpp>
+#include <hexagait/sim3d/world.hpp>
 #include <span>
+#include <vector>
 
 namespace hexagait::sim3d::detail {
 
@@ -13,14 +14,16 @@ namespace hexagait::sim3d::detail {
 ///
 /// There is no scenery: one plane, box or heightfield patch is put where a shape of the robot is,
 /// at the moment of asking. So the ground has no edge and costs nothing where nothing is near.
+/// Blocks on it stand where they are.
 class Ground {
  public:
-  explicit Ground(const Terrain& terrain);
+  explicit Ground(const Terrain& terrain, std::span<const Block> blocks = {});
   Ground(const Ground&) = delete;
   Ground& operator=(const Ground&) = delete;
 
   /// Contacts of `geom` with the ground, normals pointing out of the ground.
-  /// @param contacts  where to put them; at most kContactsPerPair for each box or patch touched
+  /// @param contacts  where to put them; at most kContactsPerPair for each box, patch or block
+  ///                  touched
   /// @returns how many were put
   int collide(dGeomID geom, std::span<dContactGeom> contacts);
 
@@ -33,15 +36,17 @@ class Ground {
 
   [[nodiscard]] double box_height() const;
   void create_heightfield();
-  int collide_pair(dGeomID geom, std::span<dContactGeom> contacts);
+  int collide_terrain(dGeomID geom, std::span<dContactGeom> contacts);
   int collide_boxes(dGeomID geom, const Aabb& aabb, std::span<dContactGeom> contacts);
   int collide_patch(dGeomID geom, const Aabb& aabb, std::span<dContactGeom> contacts);
+  int collide_blocks(dGeomID geom, std::span<dContactGeom> contacts);
   static dReal patch_height(void* ground, int column, int row);
 
   Terrain terrain_;
   int patch_a_ = 0, patch_b_ = 0;  // terrain sample at the heightfield patch's lowest corner
   HeightfieldDataPtr heightfield_data_;
   GeomPtr geom_;
+  std::vector<GeomPtr> blocks_;
 };
 
 }  // namespace hexagait::sim3d::detail

@@ -9,7 +9,7 @@ namespace hexagait::sim3d::detail {
 namespace {
 
 constexpr std::array kKinds = {TerrainSpec::Kind::flat, TerrainSpec::Kind::boxes,
-                               TerrainSpec::Kind::steps};
+                               TerrainSpec::Kind::steps, TerrainSpec::Kind::step};
 
 class GroundOfKind : public testing::TestWithParam<TerrainSpec::Kind> {
  protected:
@@ -66,6 +66,27 @@ TEST(Ground, OfBoxesHasVerticalFaces) {
   EXPECT_NEAR(contacts[0].normal[2], 1.0, 1e-12);
   EXPECT_NEAR(contacts[1].normal[0], -1.0, 1e-12);
   EXPECT_NEAR(contacts[1].depth, 0.001, 1e-12);
+}
+
+// A block of 10 cm on the plane: a ray from above meets it at its top, and the plane beside it; a
+// ball is pushed away from its side.
+TEST(Ground, HasBlocksOnIt) {
+  initialise_ode();
+  const std::array blocks = {Block{{2.0, 1.0, 0.05}, {0.2, 0.4, 0.1}}};
+  Ground ground(Terrain({}, 1), blocks);
+  const GeomPtr ray(dCreateRay(nullptr, 10.0)), ball(dCreateSphere(nullptr, 0.02));
+  std::array<dContactGeom, 8> contacts;
+  for (const auto& [x, y, top] : {std::tuple{2.0, 1.0, 0.1}, {2.09, 1.19, 0.1}, {2.11, 1.0, 0.0}}) {
+    dGeomRaySet(ray.get(), x, y, 5.0, 0.0, 0.0, -1.0);
+    const int count = ground.collide(ray.get(), contacts);
+    double highest = -1.0;
+    for (int k = 0; k < count; ++k) highest = std::max(highest, contacts[k].pos[2]);
+    EXPECT_NEAR(highest, top, 1e-12) << x << " " << y;
+  }
+  dGeomSetPosition(ball.get(), 1.881, 1.0, 0.05);
+  ASSERT_EQ(ground.collide(ball.get(), contacts), 1);
+  EXPECT_NEAR(contacts[0].depth, 0.001, 1e-12);
+  EXPECT_NEAR(contacts[0].normal[0], -1.0, 1e-12);
 }
 
 TEST(Ground, PutsNoMoreContactsThanThereIsRoomFor) {

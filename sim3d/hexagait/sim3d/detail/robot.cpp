@@ -127,20 +127,25 @@ void Robot::move_leg_to(LegId leg, const Pose& X_WB, const LegJoints& q) {
 // turns out to exceed its limit, the step is taken back and done again with all bounds. A solution
 // in which no bound is active is the solution with these bounds too: this changes the time taken,
 // nothing else.
-void Robot::step(double age) {
+void Robot::step(double age, const Vector3& force_W) {
   servos_.command(age);
   servos_.bound(kNearLimit);
   save_bodies();
-  dWorldStep(world_, h_);
-  servos_.read_efforts();
+  step_world(force_W);
 
   if (servos_.some_effort_too_large()) {
     restore_bodies();
     servos_.bound(0.0);
-    dWorldStep(world_, h_);
-    servos_.read_efforts();
+    step_world(force_W);
   }
   servos_.read_positions();
+}
+
+// A step of ODE forgets the forces on bodies.
+void Robot::step_world(const Vector3& force_W) {
+  if (!force_W.isZero()) dBodyAddForce(base_.body, force_W.x(), force_W.y(), force_W.z());
+  dWorldStep(world_, h_);
+  servos_.read_efforts();
 }
 
 void Robot::save_bodies() {

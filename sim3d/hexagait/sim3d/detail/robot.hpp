@@ -35,8 +35,9 @@ class Robot {
   [[nodiscard]] Servos& servos() { return servos_; }
   [[nodiscard]] const Servos& servos() const { return servos_; }
 
-  /// Takes one physics step of the world, `age` [s] after the servos' targets were set.
-  void step(double age);
+  /// Takes one physics step of the world, `age` [s] after the servos' targets were set, while a
+  /// force pulls at the base's centre of mass [N], world axes.
+  void step(double age, const Vector3& force_W);
 
   [[nodiscard]] const std::vector<RobotShape>& shapes() const { return shapes_; }
   [[nodiscard]] Pose X_WB() const;
@@ -58,6 +59,7 @@ class Robot {
   void make_shapes(const LinkModel& model, const Link& link);
   void make_leg(LegId leg, const Pose& X_WB);
   void move_leg_to(LegId leg, const Pose& X_WB, const LegJoints& q);
+  void step_world(const Vector3& force_W);
   void save_bodies();
   void restore_bodies();
 

@@ -15,27 +15,45 @@ constexpr double kFastestMotor = 1e3;
 Servos::Servos(const WorldParams& params, const LegArray<LegJoints>& q)
     : kp_(params.servo_kp),
       gain_(params.servo_kd + params.physics_dt * params.servo_kp),
+      kv_(params.servo_kv),
+      friction_(params.servo_friction),
       q_(q),
       efforts_(q.size(), Vector3::Zero()),
       targets_{q, efforts_, efforts_} {}
 
 void Servos::add(dJointID hinge, LegId leg, Eigen::Index joint, const JointLimits& limits) {
   dJointSetHingeParam(hinge, dParamCFM, 1.0 / gain_);
-  servos_.push_back({hinge, leg, joint, limits});
+  servos_.push_back({.hinge = hinge, .leg = leg, .joint = joint, .limits = limits, .gain = gain_});
 }
 
 void Servos::command(double age) {
   for (Servo& servo : servos_) {
-    const auto of = [&servo](const LegArray<LegJoints>& all) {
-      return all[servo.leg][servo.joint];
-    };
-    const double qd = of(targets_.qd);
-    const double target =
-        std::clamp(of(targets_.q) + age * qd, servo.limits.lower, servo.limits.upper);
-    const double v = qd + (kp_ * (target - of(q_)) + of(targets_.effort)) / gain_;
-    servo.v = std::clamp(v, -kFastestMotor, kFastestMotor);
+    const Motor motor = motor_of(servo, age);
+    servo.v = std::clamp(motor.v, -kFastestMotor, kFastestMotor);
     dJointSetHingeParam(servo.hinge, dParamVel, servo.v);
+    if (motor.gain == servo.gain) continue;
+    servo.gain = motor.gain;
+    dJointSetHingeParam(servo.hinge, dParamCFM, 1.0 / servo.gain);
   }
+}
+
+Servos::Motor Servos::motor_of(const Servo& servo, double age) const {
+  const auto of = [&servo](const LegArray<LegJoints>& all) { return all[servo.leg][servo.joint]; };
+  const double q = of(q_), qd = of(targets_.qd), effort = of(targets_.effort);
+  const auto within = [&servo](double angle) {
+    return std::clamp(angle, servo.limits.lower, servo.limits.upper);
+  };
+  const bool moded = servo.leg < targets_.mode.size();
+  const ControlMode mode = moded ? targets_.mode[servo.leg] : ControlMode::position;
+  if (mode == ControlMode::position)
+    return {qd + (kp_ * (within(of(targets_.q) + age * qd) - q) + effort) / gain_, gain_};
+
+  // A joint that is driven on at its limit has no other stop.
+  const bool by_velocity = mode == ControlMode::velocity;
+  const double drive = by_velocity ? qd : effort;
+  if (drive > 0.0 ? q >= servo.limits.upper : q <= servo.limits.lower)
+    return {kp_ * (within(q) - q) / gain_, gain_};
+  return by_velocity ? Motor{qd + effort / kv_, kv_} : Motor{effort / friction_, friction_};
 }
 
 void Servos::bound(double fraction) {
@@ -49,7 +67,7 @@ void Servos::bound(double fraction) {
 void Servos::read_efforts() {
   for (const Servo& servo : servos_) {
     const double limit = servo.bounded ? servo.limits.effort : dInfinity;
-    const double effort = gain_ * (servo.v - dJointGetHingeAngleRate(servo.hinge));
+    const double effort = servo.gain * (servo.v - dJointGetHingeAngleRate(servo.hinge));
     efforts_[servo.leg][servo.joint] = std::clamp(effort, -limit, limit);
   }
 }

@@ -10,7 +10,7 @@
 
 namespace hexagait::sim3d::detail {
 
-/// The position servos of all joints, as the motors of ODE hinges. A motor's row in the solver is
+/// The servos of all joints, as the motors of ODE hinges. A motor's row in the solver is
 ///
 ///     q̇₊ + CFM · τ = v,   |τ| ≤ FMax
 ///
@@ -20,6 +20,8 @@ namespace hexagait::sim3d::detail {
 ///     τ = (Kd + h Kp)(v − q̇₊) = Kp (q* + h q̇* − q − h q̇₊) + Kd (q̇* − q̇₊) + τ*
 ///
 /// with q*, q̇*, τ* the targets, q the state before and q₊ = q + h q̇₊, q̇₊ the one after the step.
+/// By velocity CFM = 1/Kv and v = q̇* + τ*/Kv; by effort CFM = 1/D and v = τ*/D, D the friction of
+/// the drive: what is left of the row is τ = τ* − D q̇₊.
 class Servos {
  public:
   /// Servos that hold q.
@@ -57,10 +59,17 @@ class Servos {
     Eigen::Index joint = 0;
     JointLimits limits;
     double v = 0.0;        // what the motor is commanded to do [rad/s]
+    double gain = 0.0;     // 1/CFM [N m s/rad]
     bool bounded = false;  // does the solver watch the limit?
   };
 
+  struct Motor {
+    double v, gain;
+  };
+  [[nodiscard]] Motor motor_of(const Servo& servo, double age) const;
+
   double kp_, gain_;  // gain = Kd + h Kp
+  double kv_, friction_;
   std::vector<Servo> servos_;
   LegArray<LegJoints> q_, efforts_;
   JointTargets targets_;

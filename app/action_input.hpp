@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <hexagait/core/action.hpp>
+#include <hexagait/core/preview.hpp>
+#include <hexagait/sim3d/terrain.hpp>
+#include <hexagait/walk/start_posture.hpp>
+#include <string>
+#include <vector>
+
+namespace hexagait::app {
+
+/// `hexagait run` or `check` as it was typed. An empty text is an option that was not given.
+struct ActionArguments {
+  std::string action;  ///< file, or name of an action that comes with hexagait
+  std::string robot = "argos", start = "standing", terrain = "flat", seed = "1";
+  std::vector<std::string> set;  ///< NAME=VALUE
+  bool json = false, quiet = false;
+  bool preview = false, force = false;
+  std::string preview_plot, plot;
+};
+
+/// What was typed, read.
+struct ActionInput {
+  std::string file;
+  RobotModel robot;
+  action::Action action;
+  walk::StartPosture start;
+  sim3d::TerrainSpec terrain;
+  std::uint64_t seed = 1;
+};
+
+/// Everything that the options name is there and makes sense.
+/// @throws InvalidInput  naming what is wrong, with the word that was probably meant
+[[nodiscard]] ActionInput action_input(const ActionArguments& arguments);
+
+/// Plays it ahead from its start.
+[[nodiscard]] Preview preview(const ActionInput& input,
+                              const std::function<void(const ActionRecord&)>& observe = {});
+
+/// The names of the actions that come with hexagait.
+[[nodiscard]] std::vector<std::string> known_actions();
+
+}  // namespace hexagait::app

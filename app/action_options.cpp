@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "action_options.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace hexagait::app {
+namespace {
+
+constexpr const char* kRunExamples = R"(
+Examples:
+  hexagait run push_up --robot quadruped            the push-up of the Free Gait paper
+  hexagait run tripod --set cycles=5                walk by a script
+  hexagait run height --set height=0.36             a value for a placeholder
+  hexagait run step_climb --terrain step:12cm --plot climb.png
+  hexagait run recovery --start lying --seed 3      to its feet from its belly
+  hexagait run mine.yaml --preview mine.svg         drawn, not simulated
+
+Nothing moves unless the whole action is free of errors (see hexagait check). Ctrl-C stops the
+action and brings the robot to a stance; a second one ends at once.
+Exit status: 0 succeeded; 1 refused, failed or fell; 2 bad usage or input; 130 Ctrl-C.)";
+
+constexpr const char* kCheckExamples = R"(
+Examples:
+  hexagait check push_up --robot quadruped
+  hexagait check mine.yaml --robot mine.urdf --set side=R
+  hexagait check recovery --start lying --json
+
+Exit status: 0 no errors; 1 errors; 2 bad usage, or a file that can't be read as an action.)";
+
+void add_common(CLI::App& command, ActionArguments& a) {
+  command
+      .add_option("action", a.action,
+                  fmt::format("Action file (docs/actions.md), or one of: {}",
+                              fmt::join(known_actions(), ", ")))
+      ->type_name("FILE|NAME")
+      ->required();
+  command.add_option("--robot", a.robot, "URDF file, or the name of a known robot")
+      ->type_name("FILE|NAME")
+      ->capture_default_str();
+  command.add_option("--start", a.start, "How the robot is found: standing, sitting or lying")
+      ->type_name("S")
+      ->capture_default_str();
+  command.add_option("--seed", a.seed, "Seed of terrain, and of the legs that lie")
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_option("--set", a.set, "Value of a placeholder of the file; may be repeated")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  command.add_flag("--json", a.json, "Print one JSON object");
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, ActionArguments& a) {
+  CLI::App* run = app.add_subcommand("run", "Carry out an action in the simulator");
+  run->footer(kRunExamples);
+  add_common(*run, a);
+  run->add_option("--terrain", a.terrain, "Ground: see hexagait terrains")
+      ->type_name("T")
+      ->capture_default_str();
+  CLI::Option* preview =
+      run->add_option("--preview", a.preview_plot,
+                      "Don't simulate: show what is planned, and draw it: .png, .svg or .pdf")
+          ->type_name("[FILE]")
+          ->expected(0, 1);
+  run->add_option("--plot", a.plot, "Draw what happened: .png, .svg or .pdf")
+      ->type_name("FILE")
+      ->excludes(preview);
+  run->add_flag("--force", a.force, "Run it although the check finds errors")->excludes(preview);
+  run->add_flag("--quiet", a.quiet, "No progress and no warnings on stderr");
+  run->callback([&a, preview] { a.preview = preview->count() > 0; });
+}
+
+void add_check(CLI::App& app, ActionArguments& a) {
+  CLI::App* check = app.add_subcommand("check", "Say what is wrong with an action, moving nothing");
+  check->footer(kCheckExamples);
+  add_common(*check, a);
+  check->add_flag("--quiet", a.quiet, "Only what is wrong, no verdict");
+}
+
+}  // namespace hexagait::app

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <hexagait/experiments/action_figure.hpp>
+#include <hexagait/experiments/gnuplot.hpp>
+#include <hexagait/sim3d/world.hpp>
+
+#include "action_words.hpp"
+#include "commands.hpp"
+#include "interrupt.hpp"
+#include "output_file.hpp"
+#include "step_progress.hpp"
+
+namespace hexagait::app {
+namespace {
+
+using experiments::ActionRecording;
+
+// The figure that an option asks for; drawn when all is done.
+class Figure {
+ public:
+  Figure(const char* option, const std::string& name)
+      : file_(output_file(option, name, {".png", ".svg", ".pdf"})) {
+    if (file_) experiments::require_gnuplot();
+  }
+
+  template <class... State>
+  void observe(const State&... state) {
+    if (file_) recording_.observe(state...);
+  }
+
+  void draw(const ActionReport& report, const std::string& headline, const std::string& subtitle) {
+    if (!file_ || recording_.samples().empty()) return;
+    draw_action(file_->files, {file_->path.stem(), file_->path.extension(), headline, subtitle},
+                recording_, report.input->robot);
+    file_->files.publish();
+  }
+
+ private:
+  std::optional<OutputFile> file_;
+  ActionRecording recording_;
+};
+
+// Played ahead and drawn, not simulated.
+int preview_command(const ActionArguments& arguments) {
+  Figure figure("--preview", arguments.preview_plot);
+  const ActionInput input = action_input(arguments);
+  ActionReport report{.input = &input, .ahead = {}, .summary = {}};
+  report.ahead = preview(input, [&](const ActionRecord& record) { figure.observe(record); });
+  fmt::print("{}", arguments.json ? check_json(report) + "\n"
+                                  : findings(report) + check_verdict(report) + "\n");
+  std::fflush(stdout);
+  figure.draw(report, check_verdict(report), "Preview: ground as every foot expects it");
+  return has_errors(report.ahead) ? kFailed : kOk;
+}
+
+// The first interrupt stops the action, so that the robot comes to a stance; the second ends all.
+walk::ActionSummary simulate(const ActionInput& input, double seconds, Figure& figure, bool quiet) {
+  sim3d::WorldParams params;
+  params.seed = input.seed;
+  params.start_height = input.start.height;
+  sim3d::World world(input.robot, input.terrain, params, input.start.q);
+  ActionRunner runner(input.robot);
+  walk::ActionTrialOptions options;
+  options.rests_on = input.start.rests_on;
+  options.seconds = 2.0 * seconds + 60.0;  // more than any search for ground takes
+
+  const std::atomic<int>& interrupts = count_interrupts();
+  StepProgress progress(quiet);
+  const auto observe = [&](const ActionRecord& record, const GroundTruth& truth) {
+    progress.at(record.feedback);
+    figure.observe(record, truth);
+    if (interrupts > 0) runner.stop();
+    return interrupts < 2;
+  };
+  return run_action(runner, world, world.truth(), input.action, options, observe);
+}
+
+}  // namespace
+
+int run_command(const ActionArguments& arguments) {
+  if (arguments.preview) return preview_command(arguments);
+  Figure figure("--plot", arguments.plot);
+  const ActionInput input = action_input(arguments);
+  ActionReport report{.input = &input, .ahead = preview(input), .summary = {}};
+  const bool refused = has_errors(report.ahead) && !arguments.force;
+  if (refused || !arguments.quiet) fmt::print(stderr, "{}", findings(report));
+  if (refused) {
+    fmt::print(stderr, "hexagait: not run: {} --force runs it all the same\n",
+               check_verdict(report));
+    return kFailed;
+  }
+
+  report.summary = simulate(input, report.ahead.seconds, figure, arguments.quiet);
+  report.interrupted = count_interrupts() > 0;
+  fmt::print("{}", arguments.json ? run_json(report) + "\n" : run_in_words(report));
+  std::fflush(stdout);
+  figure.draw(report, run_headline(report), "Simulated: the true paths");
+  if (report.interrupted) return kInterrupted;
+  return report.summary.ok() ? kOk : kFailed;
+}
+
+}  // namespace hexagait::app

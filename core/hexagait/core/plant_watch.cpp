@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <hexagait/core/plant_watch.hpp>
+
+namespace hexagait {
+
+const char* to_string(Fault fault) noexcept {
+  switch (fault) {
+    case Fault::none:
+      return "none";
+    case Fault::bad_measurement:
+      return "bad measurement";
+    case Fault::plant_late:
+      return "plant late";
+    case Fault::plant_closed:
+      return "plant closed";
+    case Fault::emergency_stop:
+      return "emergency stop";
+  }
+  return "?";
+}
+
+bool valid(const Measurement& measurement, int num_legs) noexcept {
+  bool finite = std::isfinite(measurement.time);
+  for (const LegJoints& q : measurement.q) finite = finite && q.allFinite();
+  return finite && measurement.q.size() == num_legs && measurement.contact.size() == num_legs;
+}
+
+bool PlantWatch::accepts(PlantStatus status, const Measurement& measurement, int num_legs,
+                         double dt, double late_limit) noexcept {
+  if (fault_ != Fault::none) return false;
+  if (status == PlantStatus::late) {
+    holding_ = true;
+    silence_ += dt;
+    if (silence_ > late_limit) stop(Fault::plant_late);
+    return false;
+  }
+  if (status == PlantStatus::closed)
+    stop(Fault::plant_closed);
+  else if (!valid(measurement, num_legs))
+    stop(Fault::bad_measurement);
+  if (fault_ != Fault::none) return false;
+  silence_ = 0.0;
+  holding_ = false;
+  return true;
+}
+
+}  // namespace hexagait

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <hexagait/core/action_runner.hpp>
+#include <hexagait/core/ground_truth.hpp>
+#include <hexagait/experiments/staged_files.hpp>
+#include <string>
+#include <vector>
+
+namespace hexagait::experiments {
+
+/// What of an action is drawn: base, feet and stability every 20 ms, and its steps.
+class ActionRecording {
+ public:
+  struct Sample {
+    double time = 0.0;  ///< since the recording began [s]
+    Vector3 base = Vector3::Zero();
+    LegArray<Vector3> feet;  ///< [m]
+    double margin = 0.0;     ///< of stability, to the controller's knowledge [m]
+    LegSet support;
+  };
+  struct Step {
+    int number = 0;               ///< from 1
+    double from = 0.0, to = 0.0;  ///< [s]
+  };
+
+  /// As the controller has it: in odom.
+  void observe(const ActionRecord& record);
+  /// As it is true: in the world.
+  void observe(const ActionRecord& record, const GroundTruth& truth);
+
+  [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
+  [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
+
+ private:
+  void add(const ActionRecord& record, const Vector3& base, const LegArray<Vector3>& feet);
+
+  double start_ = -1.0;
+  std::vector<Sample> samples_;
+  std::vector<Step> steps_;
+};
+
+struct ActionFigure {
+  std::string stem;    ///< names of all files, without their endings
+  std::string suffix;  ///< ".png", ".svg" or ".pdf"
+  std::string headline, subtitle;
+};
+
+/// Draws an action in three panels: paths of base and feet from above and from the side, and the
+/// stability margin over time with the limits of the steps. Writes the figure, and what it was made
+/// of: stem.gp, stem-base.csv, stem-feet.csv, stem-steps.csv. The caller has registered
+/// stem.suffix.
+/// @throws std::runtime_error  if gnuplot fails
+void draw_action(StagedFiles& files, const ActionFigure& figure, const ActionRecording& recording,
+                 const RobotModel& robot);
+
+}  // namespace hexagait::experiments

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <hexagait/core/load_step_goal.hpp>
+
+#include "three_joint_robot.hpp"
+
+// Whatever the bytes: a goal with a number for each of its steps, or InvalidInput with a message.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace hexagait;
+  static const RobotModel model = three_joint_robot();
+  try {
+    const std::string text(reinterpret_cast<const char*>(data), size);
+    const action::StepGoal goal = action::parse_step_goal(text, "fuzz.yaml", model);
+    const std::size_t steps = goal.action.steps.size();
+    if (steps == 0 || steps != goal.step_numbers.size()) std::abort();
+  } catch (const InvalidInput& error) {
+    if (error.what()[0] == '\0') std::abort();
+  }
+  return 0;
+}

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <hexagait/core/robot_model.hpp>
+#include <hexagait/core/robot_state.hpp>
+#include <limits>
+
+namespace hexagait::walk {
+
+/// How a robot is found by an action.
+enum class StartKind : std::uint8_t {
+  standing,  ///< in the nominal stance
+  sitting,   ///< belly and feet on level ground, the feet where they are in the nominal stance
+  lying,     ///< belly on level ground, the legs anyhow above it
+};
+
+struct StartPosture {
+  LegArray<LegJoints> q;  ///< [rad]
+  RestsOn rests_on = RestsOn::feet;
+  double height =
+      -std::numeric_limits<double>::infinity();  ///< of the base above the ground, at least [m]
+};
+
+/// A posture to start from. Legs that lie are random: each joint uniform within its limits, drawn
+/// until the whole leg is above the ground.
+/// @throws InvalidInput  if the robot can't lie on its belly: its legs are in the way
+[[nodiscard]] StartPosture start_posture(const RobotModel& model, StartKind kind,
+                                         std::uint64_t seed = 1);
+
+/// How far the lowest point of the base is below its origin [m].
+[[nodiscard]] double belly_depth(const RobotModel& model);
+
+}  // namespace hexagait::walk
