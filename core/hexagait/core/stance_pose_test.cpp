@@ -213,9 +213,10 @@ TEST(StancePose, TiltsTowardsARaisedPairThatTakesPart) {
   EXPECT_NEAR(roll_pitch_yaw(optimise_stance(argos(), problem).X_OB.R).norm(), 0.0, 1e-8);
 }
 
-// Without the rear legs the centre of mass is on the edge, and the margin takes the base 5 cm forward
-// of all feet's best place: over level feet it stays level at its height all the same. To lean by θ
-// costs w Σ x² θ² and gains 2 · 6 · 0.05 h θ: θ = 0.6 · 0.28/(2 · 25 · 4 · 0.49²) = 3.5 mrad.
+// Without the rear legs the centre of mass is on the edge, and the margin takes the base 5 cm
+// forward of all feet's best place: over level feet it stays level at its height all the same. To
+// lean by θ costs w Σ x² θ² and gains 2 · 6 · 0.05 h θ: θ = 0.6 · 0.28/(2 · 25 · 4 · 0.49²) = 3.5
+// mrad.
 TEST(StancePose, StaysLevelAtItsHeightWhenTheMarginKeepsItAside) {
   StanceProblem problem = nominal_feet(argos(), {});
   problem.support = LegSet(0b001111);
@@ -291,8 +292,8 @@ TEST(StancePose, IsTheMinimumThatSequentialLeastSquaresFinds) {
 }
 
 // Hip and yaw with 0.15 rad either way of the nominal stance: now these are what holds the base.
-// Where limits of several legs meet, sequential least squares may stop short of the minimum: no worse
-// than it, and within the limits themselves: the clearance is there to be used up on the way.
+// Where limits of several legs meet, sequential least squares may stop short of the minimum: no
+// worse than it, and within the limits themselves: the clearance is there to be used up on the way.
 TEST(StancePose, IsTheMinimumWithinNarrowJointLimits) {
   RobotModel model = argos();
   for (LegModel& leg : model.legs) {

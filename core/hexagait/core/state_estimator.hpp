@@ -22,8 +22,7 @@ class StateEstimator {
 
   /// The state of a robot that is taken over.
   /// @throws InvalidInput  if a joint position is missing or not finite
-  [[nodiscard]] RobotState start(const Measurement& measurement,
-                                 RestsOn rests_on = RestsOn::feet);
+  [[nodiscard]] RobotState start(const Measurement& measurement, RestsOn rests_on = RestsOn::feet);
 
   /// @param measurement  valid()
   /// @param executor     as the last tick left it: what was planned, and which feet to rely on

@@ -51,9 +51,8 @@ TEST(Physics, WalksEveryHeadingOnFlatGroundWithoutSlippingOrStraying) {
 }
 
 TEST(Physics, WalksOnFlatGroundWithoutContactSensorsOrWithoutJointFeedback) {
-  for (const SensorMask mask :
-       {SensorMask{.joint_feedback = true, .foot_contacts = false},
-        SensorMask{.joint_feedback = false, .foot_contacts = true}}) {
+  for (const SensorMask mask : {SensorMask{.joint_feedback = true, .foot_contacts = false},
+                                SensorMask{.joint_feedback = false, .foot_contacts = true}}) {
     WalkerParams params;
     params.sensors = mask;
     const Summary s = walk_for(6.0, Heading::straight(0.0), "flat", params);
