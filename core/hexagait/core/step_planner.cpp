@@ -212,7 +212,7 @@ StepPlanner::BaseGoalPose StepPlanner::base_goal(const action::Step& step, const
                       target->average_angular_velocity, params_.min_base_target_duration);
     return goal;
   }
-  const auto& automatic = std::get<action::BaseAuto>(step.base->motion);
+  const auto& automatic = *std::get_if<action::BaseAuto>(&step.base->motion);
   goal.X_OB = best_stance(automatic, step, next, start);
   goal.ignores_legs = automatic.ignore_timing_of_leg_motion;
   goal.duration = base_duration(from, goal.X_OB, automatic.average_linear_velocity,
@@ -301,7 +301,7 @@ BaseKnot StepPlanner::first_goal(const action::Step& step, const BaseKnot& from,
                           target->average_angular_velocity, params_.min_base_target_duration),
             X_OB};
   }
-  const auto& automatic = std::get<action::BaseAuto>(step.base->motion);
+  const auto& automatic = *std::get_if<action::BaseAuto>(&step.base->motion);
   StanceProblem problem = stance_problem(automatic, lifted_by(step), ignored_by(step), start);
   problem.X_OB = from.X_AB;
   const Pose X_OB = params_.stance(start.model, problem).X_OB;
