@@ -46,7 +46,7 @@ class Cli : public testing::Test {
   [[nodiscard]] fs::path here() const { return root_ / "here"; }
 
   pid_t start(const std::string& arguments) {
-    const std::string line = "cd '" + here().string() + "' && exec " + prefix_ +
+    const std::string line = "cd '" + here().string() + "' && " + prefix_ + "exec " +
                              HEXAGAIT_COMMAND " " + arguments + " >../out 2>../err";
     std::string shell = "sh", option = "-c", command = line;
     char* const words[] = {shell.data(), option.data(), command.data(), nullptr};
@@ -80,7 +80,7 @@ class Cli : public testing::Test {
     std::ofstream(root_ / name) << text;
   }
 
-  std::string prefix_;  // before the command
+  std::string prefix_;  // shell commands before it, each with its semicolon
 
  private:
   fs::path root_;

@@ -87,7 +87,7 @@ TEST_F(Cli, RefusesFilesThatItCouldNotWriteBeforeItWalks) {
 }
 
 TEST_F(Cli, SaysHowToGetGnuplotWhenThereIsNone) {
-  prefix_ = "env PATH=/nowhere ";
+  prefix_ = "PATH=/nowhere; export PATH; ";
   refuses("walk --seconds 86400 --plot walk.png", {"gnuplot", "apt install gnuplot-nox"});
 }
 

@@ -137,6 +137,33 @@ void add_report(CLI::App& app, ReportArguments& a) {
   report->add_flag("--json", a.json, "Print one JSON object");
 }
 
+/// `hexagait robot` and `hexagait verify` as they were typed.
+struct RobotArguments {
+  std::string robot;
+  bool json = false;
+};
+struct VerifyArguments {
+  bool json = false, quiet = false;
+};
+
+void add_robot(CLI::App& app, RobotArguments& a) {
+  CLI::App* robot = app.add_subcommand("robot", "Show what is recognised of a robot");
+  robot->add_option("robot", a.robot, "URDF file, or the name of a known robot")
+      ->type_name("FILE|NAME")
+      ->required();
+  robot->add_flag("--json", a.json, "Print one JSON object");
+  robot->footer("\nExamples:\n  hexagait robot argos\n  hexagait robot mine.urdf --json");
+}
+
+void add_verify(CLI::App& app, VerifyArguments& a) {
+  CLI::App* verify = app.add_subcommand("verify", "Prove the gait theorems, case by case");
+  verify->add_flag("--json", a.json, "Print one JSON object");
+  verify->add_flag("--quiet", a.quiet, "No progress on stderr");
+  verify->footer(
+      "\nExamples:\n  hexagait verify\n  hexagait verify --json --quiet > theorems.json\n\n"
+      "Exit status: 0 all theorems hold; 1 one does not; 2 bad usage.");
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Reactive free-gait walking for legged robots", "hexagait");
   app.set_version_flag("--version", std::string("hexagait ") + experiments::kVersion + " (" +
@@ -161,22 +188,10 @@ int run(int argc, char** argv) {
   add_merge(app, merge);
   add_report(app, report);
 
-  std::string robot;
-  bool robot_json = false;
-  CLI::App* robot_app = app.add_subcommand("robot", "Show what is recognised of a robot");
-  robot_app->add_option("robot", robot, "URDF file, or the name of a known robot")
-      ->type_name("FILE|NAME")
-      ->required();
-  robot_app->add_flag("--json", robot_json, "Print one JSON object");
-  robot_app->footer("\nExamples:\n  hexagait robot argos\n  hexagait robot mine.urdf --json");
-
-  bool verify_json = false, verify_quiet = false;
-  CLI::App* verify_app = app.add_subcommand("verify", "Prove the gait theorems, case by case");
-  verify_app->add_flag("--json", verify_json, "Print one JSON object");
-  verify_app->add_flag("--quiet", verify_quiet, "No progress on stderr");
-  verify_app->footer(
-      "\nExamples:\n  hexagait verify\n  hexagait verify --json --quiet > theorems.json\n\n"
-      "Exit status: 0 all theorems hold; 1 one does not; 2 bad usage.");
+  RobotArguments robot;
+  VerifyArguments verify;
+  add_robot(app, robot);
+  add_verify(app, verify);
 
   CLI::App* terrains_app = app.add_subcommand("terrains", "List the terrains");
   terrains_app->footer("\nExample:\n  hexagait terrains");
@@ -193,11 +208,11 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("run")) return run_command(run);
   if (app.got_subcommand("check")) return check_command(check);
   if (app.got_subcommand("experiment")) return experiment_command(experiment);
-  if (app.got_subcommand(verify_app)) return verify_command(verify_json, verify_quiet);
+  if (app.got_subcommand("verify")) return verify_command(verify.json, verify.quiet);
   if (app.got_subcommand("sweep")) return sweep_command(sweep);
   if (app.got_subcommand("merge")) return merge_command(merge);
   if (app.got_subcommand("report")) return report_command(report);
-  if (app.got_subcommand(robot_app)) return robot_command(robot, robot_json);
+  if (app.got_subcommand("robot")) return robot_command(robot.robot, robot.json);
   return terrains_command();
 }
 

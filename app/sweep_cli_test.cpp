@@ -1,73 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-// Sweeps as a user meets them: exit status, what is printed where, what is left behind.
-namespace {
+#include "cli_fixture.hpp"
 
-namespace fs = std::filesystem;
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::IsEmpty;
+// Sweeps as a user meets them: exit status, what is printed where, what is left behind.
+namespace hexagait::app {
+namespace {
 
 constexpr const char* kSweep =
     "simulator: slice\ncontrollers: [tripod, free]\nterrains: [descent:3-7]\nslices: 200\n";
 
-std::string content(const fs::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-struct Result {
-  int status = -1;
-  std::string out, err;
-};
-
-class SweepCli : public testing::Test {
+class SweepCli : public Cli {
  protected:
-  SweepCli() {
-    std::string pattern = testing::TempDir() + "hexagait-sweep-cli-XXXXXX";
-    here_ = mkdtemp(pattern.data());
-    write("sweep.yaml", std::string(kSweep) + "seeds: 20\n");
-  }
-  ~SweepCli() override { fs::remove_all(here_); }
+  SweepCli() { write("sweep.yaml", std::string(kSweep) + "seeds: 20\n"); }
 
-  [[nodiscard]] fs::path at(const std::string& name) const { return here_ / name; }
+  [[nodiscard]] fs::path at(const std::string& name) const { return here() / name; }
   void write(const std::string& name, const std::string& text) { std::ofstream(at(name)) << text; }
-
-  pid_t start(const std::string& arguments) {
-    const std::string line = "cd '" + here_.string() + "' && " + prefix_ + "exec " +
-                             HEXAGAIT_COMMAND " " + arguments + " >out 2>err";
-    const pid_t child = fork();
-    if (child == 0) {
-      execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
-      _exit(127);
-    }
-    return child;
-  }
-
-  Result finish(pid_t child) {
-    int status = 0;
-    waitpid(child, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(at("out")), content(at("err"))};
-  }
-
-  Result run(const std::string& arguments) { return finish(start(arguments)); }
-
-  std::string prefix_;  // before the command
-
- private:
-  fs::path here_;
 };
 
 TEST_F(SweepCli, WritesRowsTimingsAndAManifest) {
@@ -210,3 +160,4 @@ TEST_F(SweepCli, WritesJobFilesThatABashCanRead) {
 }
 
 }  // namespace
+}  // namespace hexagait::app

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <testing/action_expectations.hpp>
 #include <testing/action_words.hpp>
 #include <testing/scripted_robot.hpp>
 
@@ -9,36 +10,21 @@ namespace hexagait {
 namespace {
 
 using testing::base_target;
+using testing::expect_at_rest;
+using testing::expect_result;
 using testing::foot_target;
 using testing::footstep;
+using testing::forward;
+using testing::kUnload;
 using testing::ScriptedRobot;
 using testing::step;
 using testing::steps;
 using testing::wait;
 using Touch = ScriptedRobot::Touch;
 
-constexpr double kUnload = 0.04;  // SwingParams::unload_time
-
 const RobotModel& argos() {
   static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
   return model;
-}
-
-Vector3 forward(double x) { return {x, 0.0, 0.0}; }
-
-void expect_result(const ActionResult& result, Outcome outcome, Cause cause, int step, LegId leg) {
-  EXPECT_STREQ(to_string(result.outcome), to_string(outcome));
-  EXPECT_STREQ(to_string(result.cause), to_string(cause));
-  EXPECT_EQ(result.step, step);
-  EXPECT_EQ(result.leg, leg);
-}
-
-// After an end, however it came: nothing moves any more.
-void expect_at_rest(ScriptedRobot& robot) {
-  const LegArray<LegJoints> q = robot.record().desired.targets.q;
-  robot.run(0.1);
-  for (LegId i = 0; i < q.size(); ++i)
-    EXPECT_LT((robot.record().desired.targets.q[i] - q[i]).norm(), 1e-6) << "leg " << i;
 }
 
 // Ground 3 cm above where the foot is to land: it stands as soon as it touches.

@@ -265,8 +265,7 @@ void Executor::set_efforts(const RobotState& state, double dt) noexcept {
       joint_efforts(params_.controller, *model_, input, params_.gravity, params_.virtual_model);
 
   for (LegId i = 0; i < legs_.size(); ++i) {
-    const bool carries = legs_[i].phase == LegPhase::support || legs_[i].phase == LegPhase::unload;
-    if (params_.controller == WholeBodyController::virtual_model && carries)
+    if (params_.controller == WholeBodyController::virtual_model && legs_[i].on_ground())
       targets_.mode[i] = ControlMode::effort;
 
     // What a plan adds comes and goes within kEffortRamp.

@@ -37,6 +37,9 @@ class LegSet {
   friend constexpr LegSet operator|(LegSet a, LegSet b) { return LegSet(a.bits_ | b.bits_); }
   friend constexpr LegSet operator&(LegSet a, LegSet b) { return LegSet(a.bits_ & b.bits_); }
 
+  /// All members of `a` that are not in `b`.
+  friend constexpr LegSet without(LegSet a, LegSet b) { return LegSet(a.bits_ & ~b.bits_); }
+
  private:
   std::uint32_t bits_ = 0;
 };

@@ -10,9 +10,6 @@ namespace {
 // Shortest time to go of the minimum-jerk law: bounds its gains [s].
 constexpr double kMinTimeToGo = 0.05;
 
-// Peak over mean speed of a minimum-jerk motion.
-constexpr double kPeakToMean = 1.875;
-
 void enter(LegLane& lane, LegPhase phase) {
   lane.phase = phase;
   lane.time = 0.0;
@@ -46,7 +43,7 @@ double height_of(const LegLane& lane, const Pose& X_OB) {
 // Time left of the sideways motion over a distance [s].
 double time_to_go(const LegLane& lane, double distance, const SwingParams& params) {
   return std::max(params.transfer_time - lane.transfer_clock,
-                  kPeakToMean * distance / params.max_speed);
+                  kMinimumJerkPeak * distance / params.max_speed);
 }
 
 // From the foot to the foothold, horizontally [m].

@@ -31,7 +31,6 @@ void for_each(LegSet legs, F f) {
   for (LegId i = 0; i < kMaxLegs; ++i)
     if (legs.contains(i)) f(i);
 }
-LegSet without(LegSet legs, LegSet others) { return LegSet(legs.bits() & ~others.bits()); }
 
 struct Stance {
   const RobotModel& model;

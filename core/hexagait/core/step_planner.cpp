@@ -36,8 +36,6 @@ LegSet ignored_by(const action::Step& step) {
 
 LegId first_of(LegSet legs) { return legs.empty() ? -1 : std::countr_zero(legs.bits()); }
 
-LegSet without(LegSet a, LegSet b) { return LegSet(a.bits() & ~b.bits()); }
-
 // From where a base motion starts: where it was told to be, unless something has moved it away.
 BaseState start_of_base(const StepStart& start) {
   BaseState from{start.state.X_OB, start.executor.base().twist()};
@@ -54,6 +52,13 @@ double mean_height(const StanceProblem& problem) {
   for (LegId i = 0; i < problem.p_OF.size(); ++i)
     if (problem.reach.contains(i)) sum += problem.p_OF[i].z();
   return problem.reach.empty() ? 0.0 : sum / problem.reach.size();
+}
+
+// What a BaseTarget or a BaseAuto takes from one pose to another, by its rates [s].
+template <class Command>
+double duration_of(const Command& command, const Pose& from, const Pose& to, double minimum) {
+  return base_duration(from, to, command.average_linear_velocity, command.average_angular_velocity,
+                       minimum);
 }
 
 // Mean of two velocities that neither overshoots nor turns back: harmonic, 0 if they oppose.
@@ -207,16 +212,13 @@ StepPlanner::BaseGoalPose StepPlanner::base_goal(const action::Step& step, const
   if (const auto* target = std::get_if<action::BaseTarget>(&step.base->motion)) {
     goal.X_OB = start.step_frames.in_odom(target->frame, start.frames, start.state) * target->X_AB;
     goal.ignores_legs = target->ignore_timing_of_leg_motion;
-    goal.duration =
-        base_duration(from, goal.X_OB, target->average_linear_velocity,
-                      target->average_angular_velocity, params_.min_base_target_duration);
+    goal.duration = duration_of(*target, from, goal.X_OB, params_.min_base_target_duration);
     return goal;
   }
   const auto& automatic = *std::get_if<action::BaseAuto>(&step.base->motion);
   goal.X_OB = best_stance(automatic, step, next, start);
   goal.ignores_legs = automatic.ignore_timing_of_leg_motion;
-  goal.duration = base_duration(from, goal.X_OB, automatic.average_linear_velocity,
-                                automatic.average_angular_velocity, params_.min_base_auto_duration);
+  goal.duration = duration_of(automatic, from, goal.X_OB, params_.min_base_auto_duration);
   return goal;
 }
 
@@ -297,17 +299,13 @@ BaseKnot StepPlanner::first_goal(const action::Step& step, const BaseKnot& from,
   }
   if (const auto* target = std::get_if<action::BaseTarget>(&step.base->motion)) {
     const Pose X_OB = in_odom(target->frame) * target->X_AB;
-    return {base_duration(from.X_AB, X_OB, target->average_linear_velocity,
-                          target->average_angular_velocity, params_.min_base_target_duration),
-            X_OB};
+    return {duration_of(*target, from.X_AB, X_OB, params_.min_base_target_duration), X_OB};
   }
   const auto& automatic = *std::get_if<action::BaseAuto>(&step.base->motion);
   StanceProblem problem = stance_problem(automatic, lifted_by(step), ignored_by(step), start);
   problem.X_OB = from.X_AB;
   const Pose X_OB = params_.stance(start.model, problem).X_OB;
-  return {base_duration(from.X_AB, X_OB, automatic.average_linear_velocity,
-                        automatic.average_angular_velocity, params_.min_base_auto_duration),
-          X_OB};
+  return {duration_of(automatic, from.X_AB, X_OB, params_.min_base_auto_duration), X_OB};
 }
 
 }  // namespace hexagait

@@ -83,7 +83,7 @@ std::string leg_names(const ActionRecording& recording, const RobotModel& robot)
 }
 
 // What the script below is told: files, places, ranges and texts.
-std::string variables(const ActionFigure& figure, const ActionRecording& recording,
+std::string variables(const Figure& figure, const ActionRecording& recording,
                       const RobotModel& robot) {
   const auto quote = [&](const char* ending) { return quoted(figure.stem + ending); };
   return fmt::format("base = {}; feet = {}; steps = {}\n", quote("-base.csv"), quote("-feet.csv"),
@@ -202,7 +202,7 @@ void ActionRecording::add(const ActionRecord& record, const Vector3& base,
   samples_.push_back({time, base, feet, record.margin, record.desired.support});
 }
 
-void draw_action(StagedFiles& files, const ActionFigure& figure, const ActionRecording& recording,
+void draw_action(StagedFiles& files, const Figure& figure, const ActionRecording& recording,
                  const RobotModel& robot) {
   const auto table = [&](const char* name, const auto& write) {
     std::ofstream file = files.create(figure.stem + "-" + name + ".csv");
@@ -213,11 +213,7 @@ void draw_action(StagedFiles& files, const ActionFigure& figure, const ActionRec
   table("feet", [&](std::ostream& out) { write_feet(out, recording, robot); });
   table("steps", [&](std::ostream& out) { write_steps(out, recording); });
 
-  std::ofstream script = files.create(figure.stem + ".gp");
-  script << figure_preamble(figure.stem + figure.suffix, kWidth, kHeight)
-         << variables(figure, recording, robot) << kScript;
-  script.close();
-  run_gnuplot(files.staging(), figure.stem + ".gp", figure.stem + figure.suffix);
+  draw_figure(files, figure, kWidth, kHeight, variables(figure, recording, robot) + kScript);
 }
 
 }  // namespace hexagait::experiments

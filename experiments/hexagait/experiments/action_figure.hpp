@@ -4,8 +4,7 @@
 
 #include <hexagait/core/action_runner.hpp>
 #include <hexagait/core/ground_truth.hpp>
-#include <hexagait/experiments/staged_files.hpp>
-#include <string>
+#include <hexagait/experiments/figure.hpp>
 #include <vector>
 
 namespace hexagait::experiments {
@@ -41,18 +40,12 @@ class ActionRecording {
   std::vector<Step> steps_;
 };
 
-struct ActionFigure {
-  std::string stem;    ///< names of all files, without their endings
-  std::string suffix;  ///< ".png", ".svg" or ".pdf"
-  std::string headline, subtitle;
-};
-
 /// Draws an action in three panels: paths of base and feet from above and from the side, and the
 /// stability margin over time with the limits of the steps. Writes the figure, and what it was made
 /// of: stem.gp, stem-base.csv, stem-feet.csv, stem-steps.csv. The caller has registered
 /// stem.suffix.
 /// @throws std::runtime_error  if gnuplot fails
-void draw_action(StagedFiles& files, const ActionFigure& figure, const ActionRecording& recording,
+void draw_action(StagedFiles& files, const Figure& figure, const ActionRecording& recording,
                  const RobotModel& robot);
 
 }  // namespace hexagait::experiments

@@ -102,8 +102,7 @@ void write_ground(std::ostream& out, const sim2d::Terrain2d& terrain, Side side,
 }
 
 // What the script below is told: files, places, ranges and texts.
-std::string variables(const GenghisFigure& figure, const GenghisRecording& recording,
-                      const View& view) {
+std::string variables(const Figure& figure, const GenghisRecording& recording, const View& view) {
   const double height = kHead + view.height + kBelow;
   const double side_top = 1.0 - kHead / height;
   const double side_bottom = side_top - view.height / height;
@@ -203,8 +202,8 @@ unset multiplot
 
 }  // namespace
 
-void draw_genghis(StagedFiles& files, const GenghisFigure& figure,
-                  const GenghisRecording& recording, const sim2d::Terrain2d& terrain) {
+void draw_genghis(StagedFiles& files, const Figure& figure, const GenghisRecording& recording,
+                  const sim2d::Terrain2d& terrain) {
   const View view = side_view(recording);
   const std::vector<const Sample*> shown = snapshots(recording, view);
   const auto table = [&](const char* name, const auto& write) {
@@ -220,11 +219,8 @@ void draw_genghis(StagedFiles& files, const GenghisFigure& figure,
   table("left", [&](std::ostream& out) { write_ground(out, terrain, Side::left, view); });
   table("right", [&](std::ostream& out) { write_ground(out, terrain, Side::right, view); });
 
-  std::ofstream script = files.create(figure.stem + ".gp");
-  script << figure_preamble(figure.stem + figure.suffix, kWidth, kHead + view.height + kBelow)
-         << variables(figure, recording, view) << kScript;
-  script.close();
-  run_gnuplot(files.staging(), figure.stem + ".gp", figure.stem + figure.suffix);
+  draw_figure(files, figure, kWidth, kHead + view.height + kBelow,
+              variables(figure, recording, view) + kScript);
 }
 
 }  // namespace hexagait::experiments

@@ -2,24 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <hexagait/experiments/figure.hpp>
 #include <hexagait/experiments/genghis_recording.hpp>
-#include <hexagait/experiments/staged_files.hpp>
-#include <string>
 
 namespace hexagait::experiments {
-
-struct GenghisFigure {
-  std::string stem;    ///< names of all files, without their endings
-  std::string suffix;  ///< ".png", ".svg" or ".pdf"
-  std::string headline, subtitle;
-};
 
 /// Draws a walk of Genghis: from the side, with both ground profiles, the robot at some instants
 /// and all footfalls; the gait diagram; height and pitch over time. Of a long walk the first 3 m
 /// are seen from the side. Writes the figure, and what it was made of: stem.gp and CSV files.
 /// The caller has registered stem.suffix.
 /// @throws std::runtime_error  if gnuplot fails
-void draw_genghis(StagedFiles& files, const GenghisFigure& figure,
-                  const GenghisRecording& recording, const sim2d::Terrain2d& terrain);
+void draw_genghis(StagedFiles& files, const Figure& figure, const GenghisRecording& recording,
+                  const sim2d::Terrain2d& terrain);
 
 }  // namespace hexagait::experiments

@@ -81,8 +81,7 @@ std::string row_names(const RobotModel& robot) {
 }
 
 // What the script below is told: files, places, ranges and texts.
-std::string variables(const WalkFigure& figure, const Recording& recording,
-                      const RobotModel& robot) {
+std::string variables(const Figure& figure, const Recording& recording, const RobotModel& robot) {
   const Box ground = drawn_ground(recording);
   const bool is_long = ground.size().x() > 1.6 * ground.size().y();
   const Layout& layout = is_long ? kLong : kSquare;
@@ -180,7 +179,7 @@ unset multiplot
 
 }  // namespace
 
-void draw_walk(StagedFiles& files, const WalkFigure& figure, const Recording& recording,
+void draw_walk(StagedFiles& files, const Figure& figure, const Recording& recording,
                const RobotModel& robot) {
   std::ofstream body = files.create(figure.stem + "-body.csv");
   recording.write_body(body);
@@ -191,12 +190,7 @@ void draw_walk(StagedFiles& files, const WalkFigure& figure, const Recording& re
   std::ofstream gait = files.create(figure.stem + "-gait.csv");
   recording.write_gait(gait);
   gait.close();
-  std::ofstream script = files.create(figure.stem + ".gp");
-  script << figure_preamble(figure.stem + figure.suffix, kWidth, kHeight)
-         << variables(figure, recording, robot) << kScript;
-  script.close();
-
-  run_gnuplot(files.staging(), figure.stem + ".gp", figure.stem + figure.suffix);
+  draw_figure(files, figure, kWidth, kHeight, variables(figure, recording, robot) + kScript);
 }
 
 }  // namespace hexagait::experiments

@@ -86,7 +86,7 @@ void Walker::decide() noexcept {
                                    .may_step = may_step,
                                    .rear_edge = record_.rear_edge},
                                   params_.stepper);
-  record_.waits = LegSet(may_step.bits() & ~record_.lifts.bits());
+  record_.waits = without(may_step, record_.lifts);
 }
 
 void Walker::command() noexcept {

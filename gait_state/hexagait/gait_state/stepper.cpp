@@ -40,7 +40,7 @@ double Stepper::longest_step() const noexcept {
 
 LegSet Stepper::update(const StepperInput& input, const StepperParams& params) noexcept {
   const int n = lifted_at.size();
-  const LegSet landed(stepping.bits() & ~input.airborne.bits());
+  const LegSet landed = without(stepping, input.airborne);
   for (LegId leg = 0; !landed.empty() && leg < n; ++leg) {
     if (!landed.contains(leg)) continue;
     step_time[leg] = input.time - lifted_at[leg];

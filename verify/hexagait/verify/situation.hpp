@@ -31,9 +31,6 @@ struct Situation {
 
 [[nodiscard]] LegSet airborne(const Situation& situation) noexcept;
 
-/// All members of `a` that are not in `b`.
-[[nodiscard]] constexpr LegSet without(LegSet a, LegSet b) { return LegSet(a.bits() & ~b.bits()); }
-
 /// "<><><>, leg 2 in the air for 3 slices": legs counted from 0.
 [[nodiscard]] std::string to_string(const Situation& situation);
 

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <hexagait/core/fnv1a.hpp>
 #include <hexagait/core/support_polygon.hpp>
 #include <hexagait/walk/action_trial.hpp>
+#include <hexagait/walk/state_hash.hpp>
 #include <numbers>
 
 namespace hexagait::walk {
@@ -33,7 +32,7 @@ class ActionReferee {
     watch_posture(truth);
     watch_margin(record, truth);
     watch_motion(truth);
-    hash(record, truth);
+    summary_.state_hash = state_hash(truth, record.measurement, summary_.state_hash);
     const Pose X_OW = X_WO_.inverse();
     summary_.odometry_position = (X_OW * truth.X_WB.p - record.state.X_OB.p).norm();
     summary_.fault = record.fault;
@@ -79,16 +78,6 @@ class ActionReferee {
   void watch_motion(const GroundTruth& truth) {
     touched_ = truth.base_touches_ground;
     sinking_ = -(truth.X_WB.R * truth.V_WB.v).z();
-  }
-
-  void hash(const ActionRecord& record, const GroundTruth& truth) {
-    const auto add = [this](double value) {
-      summary_.state_hash = fnv1a(std::bit_cast<std::uint64_t>(value), summary_.state_hash);
-    };
-    for (int k = 0; k < 3; ++k) add(truth.X_WB.p[k]);
-    for (int k = 0; k < 9; ++k) add(truth.X_WB.R(k / 3, k % 3));
-    for (const LegJoints& q : record.measurement.q)
-      for (int k = 0; k < 3; ++k) add(q[k]);
   }
 
   const RobotModel& model_;

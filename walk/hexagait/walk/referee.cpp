@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <hexagait/core/fnv1a.hpp>
 #include <hexagait/core/support_polygon.hpp>
 #include <hexagait/gait_state/ring.hpp>
 #include <hexagait/walk/referee.hpp>
+#include <hexagait/walk/state_hash.hpp>
 
 namespace hexagait::walk {
 namespace {
@@ -57,7 +56,7 @@ void Referee::observe(const TickRecord& record, const GroundTruth& truth) {
   watch_stances(record, truth);
   watch_rule1(record, truth);
   watch_progress(record);
-  hash(record, truth);
+  summary_.state_hash = state_hash(truth, record.measurement, summary_.state_hash);
   odometry_ = record.state.X_OB;
   truth_ = truth.X_WB;
   summary_.fault = record.fault;
@@ -126,7 +125,7 @@ void Referee::watch_rule1(const TickRecord& record, const GroundTruth& truth) {
     if (record.lifts.contains(i)) lifts_.push_back({i, truth.time});
   summary_.steps += record.lifts.size();
   summary_.rule1_violations += record.rule1_violations.size();
-  const LegSet in_air(LegSet::all(model_->num_legs()).bits() & ~feet_in_contact(truth).bits());
+  const LegSet in_air = without(LegSet::all(model_->num_legs()), feet_in_contact(truth));
   if (gait_state::breaks_rule_1(in_air, model_->num_legs())) summary_.neighbour_flight += dt_;
 }
 
@@ -139,16 +138,6 @@ void Referee::watch_progress(const TickRecord& record) {
     idle_ = 0.0;
   }
   summary_.stuck = summary_.stuck || idle_ > kStuckTime;
-}
-
-void Referee::hash(const TickRecord& record, const GroundTruth& truth) {
-  const auto add = [this](double value) {
-    summary_.state_hash = fnv1a(std::bit_cast<std::uint64_t>(value), summary_.state_hash);
-  };
-  for (int k = 0; k < 3; ++k) add(truth.X_WB.p[k]);
-  for (int k = 0; k < 9; ++k) add(truth.X_WB.R(k / 3, k % 3));
-  for (const LegJoints& q : record.measurement.q)
-    for (int k = 0; k < 3; ++k) add(q[k]);
 }
 
 Summary Referee::summary() const {

@@ -45,7 +45,6 @@ class Referee {
   void watch_stances(const footstep_gen::TickRecord& record, const GroundTruth& truth);
   void watch_rule1(const footstep_gen::TickRecord& record, const GroundTruth& truth);
   void watch_progress(const footstep_gen::TickRecord& record);
-  void hash(const footstep_gen::TickRecord& record, const GroundTruth& truth);
 
   const RobotModel* model_;
   double dt_;

@@ -4,6 +4,7 @@
 
 #include <hexagait/core/random.hpp>
 #include <hexagait/sim3d/detail/ground.hpp>
+#include <span>
 
 namespace hexagait::sim3d::detail {
 namespace {
@@ -80,7 +81,8 @@ TEST(Ground, HasBlocksOnIt) {
     dGeomRaySet(ray.get(), x, y, 5.0, 0.0, 0.0, -1.0);
     const int count = ground.collide(ray.get(), contacts);
     double highest = -1.0;
-    for (int k = 0; k < count; ++k) highest = std::max(highest, contacts[k].pos[2]);
+    for (const dContactGeom& contact : std::span(contacts).first(static_cast<std::size_t>(count)))
+      highest = std::max(highest, contact.pos[2]);
     EXPECT_NEAR(highest, top, 1e-12) << x << " " << y;
   }
   dGeomSetPosition(ball.get(), 1.881, 1.0, 0.05);
