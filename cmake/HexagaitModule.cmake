@@ -33,11 +33,27 @@ function(hexagait_module name)
   endif()
 endfunction()
 
+# What every test includes is read once: a quarter of the time that it takes to compile one. Only
+# tests: that each header and source of the library includes what it uses, is seen by compiling it.
+function(hexagait_precompiled target)
+  if(NOT TARGET hexagait_test_headers)
+    file(CONFIGURE OUTPUT test_headers.cpp CONTENT "")
+    add_library(hexagait_test_headers OBJECT ${CMAKE_CURRENT_BINARY_DIR}/test_headers.cpp)
+    target_compile_features(hexagait_test_headers PRIVATE cxx_std_20)
+    target_compile_options(hexagait_test_headers PRIVATE -ffp-contract=off)
+    target_link_libraries(hexagait_test_headers PRIVATE Eigen3::Eigen GTest::gmock)
+    target_precompile_headers(hexagait_test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h> <Eigen/Geometry>)
+    hexagait_warnings(hexagait_test_headers)
+  endif()
+  target_precompile_headers(${target} REUSE_FROM hexagait_test_headers)
+endfunction()
+
 # hexagait_test(NAME  SOURCES … LIBRARIES …): a GoogleTest program, one ctest entry per test.
 function(hexagait_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gmock_main)
+  hexagait_precompiled(${name})
   # Only where it is used: elsewhere ccache finds what another clone has compiled.
   foreach(source IN LISTS arg_SOURCES)
     file(STRINGS ${source} uses REGEX HEXAGAIT_SOURCE_DIR LIMIT_COUNT 1)

@@ -15,6 +15,7 @@ kBuildPackages=(
 kCheckPackages=(clang clang-format clang-tidy libclang-rt-14-dev universal-ctags)
 
 export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1  # one clone finds what another has compiled
+export CCACHE_SLOPPINESS=pch_defines,time_macros  # or it keeps nothing that has precompiled headers
 
 exec 3>&1  # for progress, from inside a step
 
