@@ -69,6 +69,8 @@ class FootCurve {
   [[nodiscard]] double duration() const noexcept { return spline_.duration(); }
   /// @param t  since the start, clamped into [0, duration()] [s]
   [[nodiscard]] PointState at(double t) const noexcept { return spline_.at(t); }
+  /// The same, faster for who goes along.
+  [[nodiscard]] PointState along(double t) noexcept { return spline_.along(t); }
 
  private:
   QuinticSpline spline_;

@@ -363,6 +363,25 @@ TEST(FootTrajectory, LeavesOutKnotsItCannotUse) {
   EXPECT_EQ(curve.duration(), 0.0);
 }
 
+// Forwards, back again, before the start and behind the end; planned anew, and copied on the way.
+TEST(FootCurve, IsTheSameForWhoGoesAlong) {
+  RandomSequence random{.seed = 14};
+  FootCurve along;
+  along.reserve(20);
+  for (int n = 1; n < 20; ++n) {
+    along.plan_trajectory({}, random_trajectory(random, n));
+    double t = -0.1;
+    for (int k = 0; k < 200; ++k) {
+      t += random.uniform(-0.1, 0.2) * along.duration() / 10.0;
+      const PointState is = along.along(t), expected = along.at(t);
+      ASSERT_LT((is.p - expected.p).norm(), 1e-12) << t;
+      ASSERT_LT((is.v - expected.v).norm(), 1e-11) << t;
+      ASSERT_LT((is.a - expected.a).norm(), 1e-9) << t;
+      if (k == 100) along = FootCurve(along);
+    }
+  }
+}
+
 TEST(FootCurve, CanBeCopiedWithItsRoom) {
   RandomSequence random{.seed = 12};
   const auto knots = random_trajectory(random, 100);

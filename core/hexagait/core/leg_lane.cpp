@@ -159,6 +159,24 @@ void descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB
   move_down(lane, height, dt, params);
 }
 
+// As far as the curve goes in this time, and back to it. (Of what joints do, the executor knows.)
+void follow_curve(LegLane& lane, LegPlan& plan, const Pose& X_OB, double dt, double rate,
+                  const SwingParams& params) {
+  const PointState to = plan.foot.along(lane.time);
+  const double back = params.follow_rate * dt;
+  if (plan.in_body) {
+    lane.p_BF += to.p - lane.p_plan + back * (lane.p_plan - lane.p_BF);
+    lane.v_O = X_OB.R * (rate * to.v);
+    lane.a_O = X_OB.R * (rate * to.a);
+  } else {
+    const Vector3 way_O = to.p - lane.p_plan + back * (lane.p_plan - X_OB * lane.p_BF);
+    lane.p_BF += X_OB.R.transpose() * way_O;
+    lane.v_O = rate * to.v;
+    lane.a_O = rate * to.a;
+  }
+  lane.p_plan = to.p;
+}
+
 // No ground where the plan ended, or where it was: on against the surface normal.
 void search(LegLane& lane, const LegSensed& sensed, double dt, const SwingParams& params) {
   lane.cleared = lane.cleared || !sensed.contact;
@@ -231,28 +249,15 @@ void command(LegLane& lane, const LegPlan& plan, const Pose& X_OB) noexcept {
   lane.cleared = !stood;
 }
 
-void follow(LegLane& lane, const LegPlan& plan, const LegSensed& sensed, const Pose& X_OB,
-            double dt, double rate, const SwingParams& params) noexcept {
+void follow(LegLane& lane, LegPlan& plan, const LegSensed& sensed, const Pose& X_OB, double dt,
+            double rate, const SwingParams& params) noexcept {
   lane.lifted = lane.touched_down = false;
   ramp(lane.load, 0.0, dt / params.unload_time);
   lane.cleared = lane.cleared || !sensed.contact;
   lane.time = std::min(lane.time + rate * dt, plan.duration);
-
-  // As far as the curve goes in this time, and back to it. Of what the joints do the executor
-  // knows.
-  if (plan.kind != LegPlan::Kind::foot) {
-    lane.a_O.setZero();
-    if (plan.kind == LegPlan::Kind::keep) lane.v_O.setZero();
-  } else {
-    const PointState to = plan.foot.at(lane.time);
-    const Matrix3 R_BA = plan.in_body ? Matrix3::Identity() : Matrix3(X_OB.R.transpose());
-    const Vector3 p_A = plan.in_body ? lane.p_BF : X_OB * lane.p_BF;
-    lane.p_BF += R_BA * (to.p - lane.p_plan + params.follow_rate * dt * (lane.p_plan - p_A));
-    lane.p_plan = to.p;
-    const Matrix3 R_OA = plan.in_body ? X_OB.R : Matrix3::Identity();
-    lane.v_O = R_OA * (rate * to.v);
-    lane.a_O = R_OA * (rate * to.a);
-  }
+  if (plan.kind == LegPlan::Kind::foot) follow_curve(lane, plan, X_OB, dt, rate, params);
+  if (plan.kind == LegPlan::Kind::keep) lane.v_O.setZero();
+  if (plan.kind != LegPlan::Kind::foot) lane.a_O.setZero();
 
   const bool ended = lane.time >= plan.duration;
   const bool coming_down = lane.v_O.dot(lane.normal_O) < 0.0 || lane.time > 0.5 * plan.duration;

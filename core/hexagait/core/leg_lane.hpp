@@ -133,8 +133,8 @@ void command(LegLane& lane, const LegPlan& plan, const Pose& X_OB) noexcept;
 /// and is past half of its time or on its way down; the end of such a plan without contact becomes
 /// a search along the normal.
 /// @param rate  of the plan's time: 0 stands still, 1 as planned
-void follow(LegLane& lane, const LegPlan& plan, const LegSensed& sensed, const Pose& X_OB,
-            double dt, double rate, const SwingParams& params) noexcept;
+void follow(LegLane& lane, LegPlan& plan, const LegSensed& sensed, const Pose& X_OB, double dt,
+            double rate, const SwingParams& params) noexcept;
 
 /// Ends a plan where it is: a foot in the air that is to stand goes down, any other stays.
 void interrupt(LegLane& lane, bool to_stand) noexcept;

@@ -5,23 +5,33 @@
 
 namespace hexagait {
 
+PointState Quintic::at(double t) const noexcept {
+  Vector3 p = c[5], v = Vector3::Zero(), half_a = Vector3::Zero();
+  for (std::size_t k = 5; k-- > 0;) {
+    half_a = v + t * half_a;
+    v = p + t * v;
+    p = c[k] + t * p;
+  }
+  return {p, v, 2.0 * half_a};
+}
+
+Quintic quintic(const PointState& from, const PointState& to, double duration) noexcept {
+  // What the parabola that `from` begins misses at the end, in units of the duration.
+  const double T = duration, per_T3 = 1.0 / (T * T * T);
+  const Vector3 missing_p = to.p - from.p - T * (from.v + 0.5 * T * from.a);
+  const Vector3 missing_v = T * (to.v - from.v - T * from.a);
+  const Vector3 missing_a = T * T * (to.a - from.a);
+  return {{from.p, from.v, 0.5 * from.a,
+           per_T3 * (10.0 * missing_p - 4.0 * missing_v + 0.5 * missing_a),
+           per_T3 / T * (-15.0 * missing_p + 7.0 * missing_v - missing_a),
+           per_T3 / (T * T) * (6.0 * missing_p - 3.0 * missing_v + 0.5 * missing_a)}};
+}
+
 PointState quintic(const PointState& from, const PointState& to, double duration,
                    double t) noexcept {
   if (!(t > 0.0)) return from;
   if (t >= duration) return to;
-
-  // What the parabola that `from` begins misses at the end, in units of the duration.
-  const double T = duration, x = t / T;
-  const Vector3 missing_p = to.p - from.p - T * (from.v + 0.5 * T * from.a);
-  const Vector3 missing_v = T * (to.v - from.v - T * from.a);
-  const Vector3 missing_a = T * T * (to.a - from.a);
-  const Vector3 c3 = 10.0 * missing_p - 4.0 * missing_v + 0.5 * missing_a;
-  const Vector3 c4 = -15.0 * missing_p + 7.0 * missing_v - missing_a;
-  const Vector3 c5 = 6.0 * missing_p - 3.0 * missing_v + 0.5 * missing_a;
-
-  return {from.p + t * (from.v + 0.5 * t * from.a) + x * x * x * (c3 + x * (c4 + x * c5)),
-          from.v + t * from.a + x * x / T * (3.0 * c3 + x * (4.0 * c4 + 5.0 * x * c5)),
-          from.a + x / (T * T) * (6.0 * c3 + x * (12.0 * c4 + 20.0 * x * c5))};
+  return quintic(from, to, duration).at(t);
 }
 
 KnotRates parabola_rates(const Vector3& slope_before, double time_before,
@@ -35,11 +45,13 @@ QuinticSpline& QuinticSpline::operator=(const QuinticSpline& other) {
   if (this == &other) return *this;
   nodes_.reserve(other.nodes_.capacity());
   nodes_ = other.nodes_;
+  piece_begin_ = piece_end_ = 0.0;
   return *this;
 }
 
 void QuinticSpline::start(const PointState& state) noexcept {
   nodes_.clear();
+  piece_begin_ = piece_end_ = 0.0;
   if (nodes_.capacity() > 0) nodes_.push_back({0.0, state});
 }
 
@@ -65,6 +77,18 @@ PointState QuinticSpline::at(double t) const noexcept {
   const std::size_t k = segment(t);
   const Node &from = nodes_[k], &to = nodes_[k + 1];
   return quintic(from.state, to.state, to.time - from.time, t - from.time);
+}
+
+PointState QuinticSpline::along(double t) noexcept {
+  if (nodes_.size() < 2 || !(t > 0.0) || t >= duration()) return at(t);
+  if (t < piece_begin_ || t >= piece_end_) {
+    const std::size_t k = segment(t);
+    const Node &from = nodes_[k], &to = nodes_[k + 1];
+    piece_ = quintic(from.state, to.state, to.time - from.time);
+    piece_begin_ = from.time;
+    piece_end_ = to.time;
+  }
+  return piece_.at(t - piece_begin_);
 }
 
 }  // namespace hexagait

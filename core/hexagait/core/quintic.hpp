@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <hexagait/core/geometry.hpp>
 #include <span>
@@ -18,8 +19,19 @@ struct PointState {
 
 /// The polynomial of degree 5 that meets position, velocity and acceleration at both ends. From
 /// rest to rest it is the minimum-jerk motion σ(τ) = 10τ³ − 15τ⁴ + 6τ⁵ (Flash & Hogan 1985).
+struct Quintic {
+  std::array<Vector3, 6> c;  ///< of t⁰ … t⁵
+
+  /// @param t  since the begin [s]; between the ends
+  [[nodiscard]] PointState at(double t) const noexcept;
+};
+
 /// @param duration  > 0 [s]
-/// @param t         since `from` [s]; the ends hold before and after
+[[nodiscard]] Quintic quintic(const PointState& from, const PointState& to,
+                              double duration) noexcept;
+
+/// One value of it.
+/// @param t  since `from` [s]; the ends hold before and after
 [[nodiscard]] PointState quintic(const PointState& from, const PointState& to, double duration,
                                  double t) noexcept;
 
@@ -80,6 +92,8 @@ class QuinticSpline {
   [[nodiscard]] double duration() const noexcept;
   /// @param t  clamped into [0, duration()] [s]; a spline without nodes is at rest at 0
   [[nodiscard]] PointState at(double t) const noexcept;
+  /// The same for who goes along: remembers the polynomial of the segment that it is in.
+  [[nodiscard]] PointState along(double t) noexcept;
 
   struct Node {
     double time = 0.0;
@@ -91,6 +105,8 @@ class QuinticSpline {
 
  private:
   std::vector<Node> nodes_;
+  Quintic piece_;  ///< from piece_begin_ to piece_end_, if that is later
+  double piece_begin_ = 0.0, piece_end_ = 0.0;
 };
 
 }  // namespace hexagait

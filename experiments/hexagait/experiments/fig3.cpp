@@ -109,7 +109,6 @@ set multiplot
 state_font = sized(":Bold", 9)
 set label 1 headline at screen 0.05, 0.955 left noenhanced font sized("", 15) textcolor rgb ink
 set label 2 subtitle at screen 0.05, 0.905 left noenhanced font sized("", 10.5) textcolor rgb grey
-type_shade(k) = k == 4 ? 0x5d7a8c : k == 3 ? 0x93a9b7 : k == 2 ? 0xbccad4 : 0xdfe6eb
 unset key
 set xrange [0:72]; set yrange [7.75:0.4]
 set xtics 12

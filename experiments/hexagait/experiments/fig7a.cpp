@@ -20,6 +20,7 @@ constexpr double kLevel = 0.99;  // of the tripod's speed: "the same level"
 
 constexpr const char* kScript = R"(
 set multiplot
+lift = 1.75; lead_format = "%+.3f ± %.3f"
 set label 1 headline at screen 0.02, 0.945 left noenhanced font sized("", 15) textcolor rgb ink
 set label 2 subtitle at screen 0.02, 0.88 left noenhanced font sized("", 10.5) textcolor rgb grey
 set tmargin at screen 0.76; set bmargin at screen 0.14
@@ -27,21 +28,14 @@ set lmargin at screen 0.19; set rmargin at screen 0.60
 set label 3 "{/:Bold a}   Mean speed over 500 slices, per start [units per slice]" \
     at graph 0, graph 1 offset 0, 0.8 left textcolor rgb ink
 set xrange [0:9]; set xtics 1
-plot trials using 4:($1+spread($3)):(gait_colour($1)) with points pt 7 ps 0.4 lc rgb variable, \
-     means using 3:1:5 with xerrorbars pt 2 ps 0 lw 2 lc rgb ink, \
-     means using 3:1 with points pt 13 ps 1.3 lc rgb ink, \
-     means using 3:1:(sprintf("%.2f", $3)) with labels offset 0, 1.75 font sized("", 9) textcolor rgb ink
+plot @speeds
 unset label 1; unset label 2
 set lmargin at screen 0.655; set rmargin at screen 0.98
 set label 3 "{/:Bold b}   Ahead of the tripod controller, in pairs"
 unset ytics
 set xrange [-7.4:0.9]; set xtics 1
 set arrow 1 from 0, graph 0 to 0, graph 1 nohead lc rgb grey lw 1 dt 2
-plot trials using 6:($1 > 0 ? $1+spread($3) : NaN):(gait_colour($1)) with points pt 7 ps 0.4 lc rgb variable, \
-     means using ($1 > 0 ? $6 : NaN):1:7 with xerrorbars pt 2 ps 0 lw 2 lc rgb ink, \
-     means using ($1 > 0 ? $6 : NaN):1 with points pt 13 ps 1.3 lc rgb ink, \
-     means using ($1 > 0 ? $6 : NaN):1:(sprintf("%+.3f ± %.3f", $6, $7)) with labels offset 0, 1.75 \
-         font sized("", 9) textcolor rgb ink
+plot @leads
 unset multiplot
 )";
 

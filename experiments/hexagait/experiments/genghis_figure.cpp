@@ -161,13 +161,8 @@ unset label 1; unset label 2
 @gait_panel
 set label 3 "{/:Bold b}   Legs in the air"
 set xlabel "time [s]" offset 0, 0.5
-type_shade(k) = k == 4 ? 0x5d7a8c : k == 3 ? 0x93a9b7 : k == 2 ? 0xbccad4 : k == 1 ? 0xdfe6eb : 0xffffff
-do for [k=1:4] {
-  set label 10+k "■" at graph 0.50+0.05*k, graph 1 offset 0, 0.9 left textcolor rgb type_shade(k)
-  set label 20+k "ABCD"[k:k] at graph 0.52+0.05*k, graph 1 offset 0, 0.9 left textcolor rgb ink \
-      font small
-}
-set label 10 "type of state" at graph 0.54, graph 1 offset 0, 0.9 right textcolor rgb ink font small
+legend_x = 0.50; legend_step = 0.05
+@gait_legend
 set label 15 "|" at graph 0.78, graph 1 offset 0, 0.9 left textcolor rgb accent font sized(":Bold", 10.5)
 set label 25 "CCN adjusted" at graph 0.795, graph 1 offset 0, 0.9 left textcolor rgb ink font small
 set xrange [0:t_max]; set yrange [6.75:-0.65]

@@ -73,6 +73,16 @@ set datafile missing ""
 # Palette: one accent for what happened, grey for what was asked, two quiet colours for the sides.
 ink = "#1d2b36"; grey = "#8c99a5"; pale = "#e3e8ec"; accent = "#c4472b"
 left_side = "#2f6f9f"; right_side = "#c99a2e"; earth = "#b9a88f"
+# Shades of a gait state's type, A (1) … D (4); a gait diagram's legend of them begins at the share
+# legend_x of the graph and goes on by legend_step.
+type_shade(k) = k == 4 ? 0x5d7a8c : k == 3 ? 0x93a9b7 : k == 2 ? 0xbccad4 : k == 1 ? 0xdfe6eb : 0xffffff
+gait_legend = 'do for [k=1:4] { \
+  set label 10+k "■" at graph legend_x+legend_step*k, graph 1 offset 0, 0.9 left \
+      textcolor rgb type_shade(k); \
+  set label 20+k "ABCD"[k:k] at graph legend_x+legend_step*(k+0.4), graph 1 offset 0, 0.9 left \
+      textcolor rgb ink font sized("", 9) }; \
+  set label 10 "type of state" at graph legend_x+0.8*legend_step, graph 1 offset 0, 0.9 right \
+      textcolor rgb ink font sized("", 9)'
 set border 3 lc rgb grey lw 0.8
 set tics nomirror scale 0.5 textcolor rgb ink
 set grid lc rgb pale lw 0.8 lt 1

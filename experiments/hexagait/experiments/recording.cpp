@@ -96,4 +96,14 @@ void Recording::write_gait(std::ostream& out) const {
   }
 }
 
+std::string row_names(const RobotModel& robot) {
+  std::string names;
+  for (int row = 0; row < robot.num_legs(); ++row) {
+    const int half = robot.num_legs() / 2;
+    const LegId leg = row < half ? 2 * row : 2 * (row - half) + 1;
+    names += fmt::format("\"{}\" {}, ", robot.legs[leg].name, row);
+  }
+  return names + fmt::format("\"state\" {}", robot.num_legs());
+}
+
 }  // namespace hexagait::experiments

@@ -62,4 +62,8 @@ class Recording {
   std::vector<GaitSpan> gait_;
 };
 
+/// The rows of a gait diagram as tics of gnuplot: the legs' names, left ones first, as
+/// write_steps() numbers them, and the gait state.
+[[nodiscard]] std::string row_names(const RobotModel& robot);
+
 }  // namespace hexagait::experiments

@@ -138,6 +138,18 @@ set yrange [last+0.6:-0.6]
 set ytics @rows scale 0
 set grid noytics
 unset key
+
+# What both panels plot; values stand `lift` above their diamonds.
+speeds = 'trials using 4:($1+spread($3)):(gait_colour($1)) with points pt 7 ps 0.4 lc rgb variable, \
+    means using 3:1:5 with xerrorbars pt 2 ps 0 lw 2 lc rgb ink, \
+    means using 3:1 with points pt 13 ps 1.3 lc rgb ink, \
+    means using 3:1:(sprintf("%.2f", $3)) with labels offset 0, lift font sized("", 9) textcolor rgb ink'
+leads = 'trials using 6:($1 > 0 ? $1+spread($3) : NaN):(gait_colour($1)) \
+        with points pt 7 ps 0.4 lc rgb variable, \
+    means using ($1 > 0 ? $6 : NaN):1:7 with xerrorbars pt 2 ps 0 lw 2 lc rgb ink, \
+    means using ($1 > 0 ? $6 : NaN):1 with points pt 13 ps 1.3 lc rgb ink, \
+    means using ($1 > 0 ? $6 : NaN):1:(sprintf(lead_format, $6, $7)) with labels offset 0, lift \
+        font sized("", 9) textcolor rgb ink'
 )";
 }
 

@@ -70,16 +70,6 @@ std::string place(const char* name, const Panel& panel) {
       name, panel.left, panel.right, panel.bottom, panel.top);
 }
 
-std::string row_names(const RobotModel& robot) {
-  std::string names;
-  for (int row = 0; row < robot.num_legs(); ++row) {
-    const int half = robot.num_legs() / 2;
-    const LegId leg = row < half ? 2 * row : 2 * (row - half) + 1;
-    names += fmt::format("\"{}\" {}, ", robot.legs[leg].name, row);
-  }
-  return names + fmt::format("\"state\" {}", robot.num_legs());
-}
-
 // What the script below is told: files, places, ranges and texts.
 std::string variables(const Figure& figure, const Recording& recording, const RobotModel& robot) {
   const Box ground = drawn_ground(recording);
@@ -128,13 +118,8 @@ unset label 1; unset label 2
 # b: the gait diagram; below it the type of the gait state, and where the CCN was adjusted
 @gait_panel
 set label 3 "{/:Bold b}   Legs in the air"
-type_shade(k) = k == 4 ? 0x5d7a8c : k == 3 ? 0x93a9b7 : k == 2 ? 0xbccad4 : k == 1 ? 0xdfe6eb : 0xffffff
-do for [k=1:4] {
-  set label 10+k "■" at graph 0.50+0.05*k, graph 1 offset 0, 0.9 left textcolor rgb type_shade(k)
-  set label 20+k "ABCD"[k:k] at graph 0.52+0.05*k, graph 1 offset 0, 0.9 left textcolor rgb ink \
-      font small
-}
-set label 10 "type of state" at graph 0.54, graph 1 offset 0, 0.9 right textcolor rgb ink font small
+legend_x = 0.50; legend_step = 0.05
+@gait_legend
 set label 15 "|" at graph 0.78, graph 1 offset 0, 0.9 left textcolor rgb accent font sized(":Bold", 10.5)
 set label 25 "CCN adjusted" at graph 0.795, graph 1 offset 0, 0.9 left textcolor rgb ink font small
 set xrange [0:t_max]; set yrange [legs+0.75:-0.65]

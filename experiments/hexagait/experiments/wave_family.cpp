@@ -162,13 +162,8 @@ unset label 1; unset label 2; unset key
 # b: the gait diagram of the whole walk; below it the type of the gait state
 set bmargin at screen 0.45; set tmargin at screen 0.66
 set label 3 "{/:Bold b}   Legs in the air"
-type_shade(k) = k == 4 ? 0x5d7a8c : k == 3 ? 0x93a9b7 : k == 2 ? 0xbccad4 : k == 1 ? 0xdfe6eb : 0xffffff
-do for [k=1:4] {
-  set label 10+k "■" at graph 0.865+0.03*k, graph 1 offset 0, 0.9 left textcolor rgb type_shade(k)
-  set label 20+k "ABCD"[k:k] at graph 0.875+0.03*k, graph 1 offset 0, 0.9 left textcolor rgb ink \
-      font small
-}
-set label 10 "type of state" at graph 0.888, graph 1 offset 0, 0.9 right textcolor rgb ink font small
+legend_x = 0.865; legend_step = 0.03
+@gait_legend
 set yrange [legs+0.75:-0.65]
 set ytics @row_names scale 0
 set grid noytics
@@ -204,16 +199,6 @@ do for [k=1:words(begins)] {
 }
 unset multiplot
 )gp";
-
-std::string row_names(const RobotModel& robot) {
-  std::string names;
-  for (int row = 0; row < robot.num_legs(); ++row) {
-    const int half = robot.num_legs() / 2;
-    const LegId leg = row < half ? 2 * row : 2 * (row - half) + 1;
-    names += fmt::format("\"{}\" {}, ", robot.legs[leg].name, row);
-  }
-  return names + fmt::format("\"state\" {}", robot.num_legs());
-}
 
 // What the script is told: files, texts, and the windows of panel c.
 std::string variables(const std::vector<Segment>& segments, const Recording& recording,

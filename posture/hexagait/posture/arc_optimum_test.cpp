@@ -5,28 +5,18 @@
 #include <hexagait/core/random.hpp>
 #include <hexagait/posture/arc_optimum.hpp>
 #include <hexagait/posture/posture_error.hpp>
+#include <testing/random_feet.hpp>
 
 namespace hexagait::posture {
 namespace {
 
+using testing::centres;
+using testing::random_feet;
 using enum ArcOptimum::Status;
 constexpr double kPi = std::numbers::pi;
 const LegSet kAll = LegSet::all(6);
 const LegSet kTripod = LegSet(0b011001);
 
-LegArray<Vector3> centres() {
-  LegArray<Vector3> p_BC(6);
-  for (LegId leg = 0; leg < 6; ++leg)
-    p_BC[leg] = {0.4 * (1 - leg / 2), leg % 2 == 0 ? 0.3 : -0.3, -0.25};
-  return p_BC;
-}
-LegArray<Vector3> random_feet(RandomSequence& random, double size) {
-  LegArray<Vector3> p_BF = centres();
-  for (Vector3& p : p_BF)
-    p += Vector3(random.uniform(-size, size), random.uniform(-size, size),
-                 random.uniform(-size, size));
-  return p_BF;
-}
 PlanarTwist random_twist(RandomSequence& random, double w) {
   const double alpha = random.uniform(-kPi, kPi), speed = random.uniform(0.5, 1.0);
   return {speed * Vector2(std::cos(alpha), std::sin(alpha)), w};

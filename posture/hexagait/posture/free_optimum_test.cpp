@@ -6,26 +6,16 @@
 #include <hexagait/core/random.hpp>
 #include <hexagait/posture/free_optimum.hpp>
 #include <hexagait/posture/posture_error.hpp>
+#include <testing/random_feet.hpp>
 
 namespace hexagait::posture {
 namespace {
 
+using testing::centres;
+using testing::random_feet;
+using testing::random_vector;
 const LegSet kAll = LegSet::all(6);
 
-LegArray<Vector3> centres() {
-  LegArray<Vector3> p_BC(6);
-  for (LegId leg = 0; leg < 6; ++leg)
-    p_BC[leg] = {0.4 * (1 - leg / 2), leg % 2 == 0 ? 0.3 : -0.3, -0.25};
-  return p_BC;
-}
-Vector3 random_vector(RandomSequence& random, double size) {
-  return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
-}
-LegArray<Vector3> random_feet(RandomSequence& random, double size) {
-  LegArray<Vector3> p_BF = centres();
-  for (Vector3& p : p_BF) p += random_vector(random, size);
-  return p_BF;
-}
 Pose random_pose(RandomSequence& random, double angle) {
   return {rotation(random_vector(random, angle)), random_vector(random, 0.3)};
 }

@@ -6,25 +6,14 @@
 #include <hexagait/core/random.hpp>
 #include <hexagait/posture/plane_fit.hpp>
 #include <hexagait/posture/posture_error.hpp>
+#include <testing/random_feet.hpp>
 
 namespace hexagait::posture {
 namespace {
 
+using testing::centres;
+using testing::random_feet;
 const LegSet kAll = LegSet::all(6);
-
-LegArray<Vector3> centres() {
-  LegArray<Vector3> p_BC(6);
-  for (LegId leg = 0; leg < 6; ++leg)
-    p_BC[leg] = {0.4 * (1 - leg / 2), leg % 2 == 0 ? 0.3 : -0.3, -0.25};
-  return p_BC;
-}
-LegArray<Vector3> random_feet(RandomSequence& random, double size) {
-  LegArray<Vector3> p_BF = centres();
-  for (Vector3& p : p_BF)
-    p += Vector3(random.uniform(-size, size), random.uniform(-size, size),
-                 random.uniform(-size, size));
-  return p_BF;
-}
 
 // Feet as seen after the body has done what the fit says.
 LegArray<Vector3> feet_after(const PlaneFit& fit, LegArray<Vector3> p_BF) {

@@ -6,29 +6,18 @@
 #include <functional>
 #include <hexagait/core/random.hpp>
 #include <hexagait/posture/posture_error.hpp>
+#include <testing/random_feet.hpp>
 
 namespace hexagait::posture {
 namespace {
 
 using Eigen::AngleAxisd;
 using Eigen::Translation3d;
+using testing::centres;
 using Transform = Eigen::Isometry3d;
 
-// Six legs, two by two, and feet anywhere within 20 cm of their centres.
-LegArray<Vector3> centres() {
-  LegArray<Vector3> p_BC(6);
-  for (LegId leg = 0; leg < 6; ++leg)
-    p_BC[leg] = {0.4 * (1 - leg / 2), leg % 2 == 0 ? 0.3 : -0.3, -0.25};
-  return p_BC;
-}
-Vector3 random_vector(RandomSequence& random, double size) {
-  return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
-}
-LegArray<Vector3> random_feet(RandomSequence& random) {
-  LegArray<Vector3> p_BF = centres();
-  for (Vector3& p : p_BF) p += random_vector(random, 0.2);
-  return p_BF;
-}
+// Feet anywhere within 20 cm of their centres.
+LegArray<Vector3> random_feet(RandomSequence& random) { return testing::random_feet(random, 0.2); }
 
 LegArray<Vector3> moved(const Transform& X, LegArray<Vector3> p_BF) {
   for (Vector3& p : p_BF) p = X * p;
