@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "cli_fixture.hpp"
 
@@ -40,6 +41,10 @@ TEST_F(Cli, RefusesActionsThatAreNoneAndNamesTheNearest) {
   }
   refuses("run nod --terrain swamp", {"swamp", "step:H"});
   refuses("run nod --seed x", {"--seed", "'x'"});
+  refuses("run nod --controller virtual",
+          {"--controller", "'virtual'", "kinematic or virtual_model"});
+  refuses("run nod --controller kinematc", {"did you mean 'kinematic'"});
+  refuses("check nod --controller kinematic", {"--controller"});
   refuses("run nod --plot nod.txt", {"--plot", "nod.txt", ".svg"});
   refuses("run nod --preview nod.txt", {"--preview", "nod.txt", ".svg"});
   refuses("run nod --plot a.png --preview b.png", {"--plot", "--preview"});
@@ -109,20 +114,36 @@ TEST_F(Cli, RunsAnActionWithPlaceholders) {
   EXPECT_NEAR(height("")["body_height_m"]["min"].get<double>(), 0.26, 0.002);
   EXPECT_NEAR(height("--set height=0.36")["body_height_m"]["max"].get<double>(), 0.38, 0.002);
   const auto json = height("--set height=0.2");
-  for (const char* key : {"action",        "file",
-                          "robot",         "steps",
-                          "terrain",       "seed",
-                          "outcome",       "cause",
-                          "step",          "leg",
-                          "seconds",       "fell",
-                          "base_touched",  "leg_touched",
-                          "stands_at_end", "stability_margin_m",
-                          "tilt_rad",      "odometry_error_m",
-                          "fault",         "interrupted",
-                          "check",         "state_hash",
+  for (const char* key : {"action",      "file",
+                          "robot",       "steps",
+                          "terrain",     "seed",
+                          "controller",  "outcome",
+                          "cause",       "step",
+                          "leg",         "seconds",
+                          "fell",        "base_touched",
+                          "leg_touched", "stands_at_end",
+                          "tilt_rad",    "stability_margin_m",
+                          "fault",       "odometry_error_m",
+                          "out_of_time", "interrupted",
+                          "check",       "state_hash",
                           "version"})
     EXPECT_TRUE(json.contains(key)) << key;
   EXPECT_EQ(json["outcome"], "succeeded");
+}
+
+// The same height, by torques alone: another run to the bit.
+TEST_F(Cli, RunsAnActionWithTheControllerThatIsAskedFor) {
+  std::set<std::string> hashes;
+  for (const std::string controller : {"kinematic", "virtual_model"}) {
+    const Result result = run("run height --json --quiet --controller " + controller);
+    EXPECT_EQ(result.status, 0);
+    const auto json = nlohmann::json::parse(result.out);
+    EXPECT_EQ(json["controller"], controller);
+    EXPECT_NEAR(json["body_height_m"]["min"].get<double>(), 0.26, 0.005);
+    hashes.insert(json["state_hash"]);
+  }
+  EXPECT_EQ(hashes.size(), 2U);
+  EXPECT_THAT(run("run height --quiet --controller virtual_model").out, HasSubstr("torques"));
 }
 
 // A line per step where stderr is no terminal.

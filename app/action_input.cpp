@@ -73,6 +73,18 @@ walk::StartKind start_kind(const std::string& start) {
   throw InvalidInput(fmt::format("--start is '{}'; it must be standing, sitting or lying", start));
 }
 
+WholeBodyController controller(const std::string& name) {
+  std::vector<std::string> words;
+  for (const auto known : {WholeBodyController::kinematic, WholeBodyController::virtual_model}) {
+    if (name == to_string(known)) return known;
+    words.emplace_back(to_string(known));
+  }
+  const std::optional<std::string> meant = nearest_word(name, words);
+  throw InvalidInput(fmt::format("--controller is '{}'{}; it must be {}", name,
+                                 meant ? fmt::format(" (did you mean '{}'?)", *meant) : "",
+                                 fmt::join(words, " or ")));
+}
+
 }  // namespace
 
 std::vector<std::string> known_actions() {
@@ -90,6 +102,7 @@ ActionInput action_input(const ActionArguments& arguments) {
   input.robot = load_urdf(robot_file(arguments.robot));
   input.seed = seed(arguments.seed);
   input.terrain = sim3d::parse_terrain(arguments.terrain);
+  input.controller = controller(arguments.controller);
   input.start = walk::start_posture(input.robot, start_kind(arguments.start), input.seed);
   input.action = load(input.file, input.robot, arguments.set);
   return input;

@@ -15,7 +15,8 @@ namespace hexagait::app {
 struct ActionArguments {
   std::string action;  ///< file, or name of an action that comes with hexagait
   std::string robot = "argos", start = "standing", terrain = "flat", seed = "1";
-  std::vector<std::string> set;  ///< NAME=VALUE
+  std::string controller = "kinematic";  ///< of `run`
+  std::vector<std::string> set;          ///< NAME=VALUE
   bool json = false, quiet = false;
   bool preview = false, force = false;
   std::string preview_plot, plot;
@@ -29,13 +30,14 @@ struct ActionInput {
   walk::StartPosture start;
   sim3d::TerrainSpec terrain;
   std::uint64_t seed = 1;
+  WholeBodyController controller = WholeBodyController::kinematic;
 };
 
 /// Everything that the options name is there and makes sense.
 /// @throws InvalidInput  naming what is wrong, with the word that was probably meant
 [[nodiscard]] ActionInput action_input(const ActionArguments& arguments);
 
-/// Plays it ahead from its start.
+/// Plays it ahead from its start: what is planned, which is the same with any controller.
 [[nodiscard]] Preview preview(const ActionInput& input,
                               const std::function<void(const ActionRecord&)>& observe = {});
 

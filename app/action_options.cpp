@@ -15,6 +15,7 @@ Examples:
   hexagait run height --set height=0.36             a value for a placeholder
   hexagait run step_climb --terrain step:12cm --plot climb.png
   hexagait run recovery --start lying --seed 3      to its feet from its belly
+  hexagait run look_around --controller virtual_model
   hexagait run mine.yaml --preview mine.svg         drawn, not simulated
 
 Nothing moves unless the whole action is free of errors (see hexagait check). Ctrl-C stops the
@@ -59,6 +60,12 @@ void add_run(CLI::App& app, ActionArguments& a) {
   add_common(*run, a);
   run->add_option("--terrain", a.terrain, "Ground: see hexagait terrains")
       ->type_name("T")
+      ->capture_default_str();
+  run->add_option(
+         "--controller", a.controller,
+         "How the joints are driven: kinematic (by positions), or virtual_model (legs that "
+         "stand by torques, as if springs held the body)")
+      ->type_name("C")
       ->capture_default_str();
   CLI::Option* preview =
       run->add_option("--preview", a.preview_plot,

@@ -186,6 +186,10 @@ std::string run_in_words(const ActionReport& report) {
   add(text, "feet",
       s.leg_touched ? "a leg touched the ground beside its foot"
                     : "no leg touched the ground but by its foot");
+  add(text, "controller",
+      report.input->controller == WholeBodyController::kinematic
+          ? "kinematic: by joint positions"
+          : "virtual_model: the legs that stand by joint torques");
   add(text, "at the end", s.stands_at_end ? "stands on all feet" : "does not stand on all feet");
   add(text, "odometry", fmt::format("{} from the truth at the end", length(s.odometry_position)));
   return text;
@@ -196,6 +200,7 @@ std::string run_json(const ActionReport& report) {
   Json json = subject(report);
   json["terrain"] = sim3d::to_string(report.input->terrain);
   json["seed"] = report.input->seed;
+  json["controller"] = to_string(report.input->controller);
   json["outcome"] = to_string(s.result.outcome);
   json["cause"] = to_string(s.result.cause);
   json["step"] = s.result.step;

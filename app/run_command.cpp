@@ -61,7 +61,9 @@ walk::ActionSummary simulate(const ActionInput& input, double seconds, Figure& f
   params.seed = input.seed;
   params.start_height = input.start.height;
   sim3d::World world(input.robot, input.terrain, params, input.start.q);
-  ActionRunner runner(input.robot);
+  RunnerParams runner_params;
+  runner_params.executor.controller = input.controller;
+  ActionRunner runner(input.robot, runner_params);
   walk::ActionTrialOptions options;
   options.rests_on = input.start.rests_on;
   options.seconds = 2.0 * seconds + 60.0;  // more than any search for ground takes

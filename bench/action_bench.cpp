@@ -10,8 +10,9 @@
 #include <testing/scripted_robot.hpp>
 
 // What scripted actions cost, on 18 joints: a tick in which all legs have a motion and BaseAuto is
-// under way, and a tick in which a step begins, whose BaseAuto is optimised. The perfect robot of
-// the tests plays the action once and is recorded; then its ticks are timed on copies.
+// under way, and a tick in which a step begins, whose BaseAuto is optimised; by joint positions, or
+// with the virtual model. The perfect robot of the tests plays the action once and is recorded;
+// then its ticks are timed on copies.
 
 namespace hexagait {
 namespace {
@@ -66,13 +67,15 @@ struct Recording {
     ActionRunner runner;
     std::size_t tick;
   };
-  ScriptedRobot robot{argos()};
+  ScriptedRobot robot;
   std::vector<Measurement> measurements;
   std::vector<RobotState> states;
   std::vector<Moment> amid;    ///< the first of kTicks in the middle of a step
   std::vector<Moment> starts;  ///< ticks in which a step begins that has one before and one after
 
-  explicit Recording(const action::Action& action) {
+  explicit Recording(const action::Action& action,
+                     WholeBodyController controller = WholeBodyController::kinematic)
+      : robot(argos(), driven_by(controller)) {
     robot.runner.submit(action);
     int step = 0;
     bool within = false;
@@ -90,10 +93,20 @@ struct Recording {
     }
     if (starts.empty() || robot.record().result.outcome != Outcome::succeeded) std::abort();
   }
+
+  static RunnerParams driven_by(WholeBodyController controller) {
+    RunnerParams params;
+    params.executor.controller = controller;
+    return params;
+  }
 };
 
 const Recording& tripod_recording() {
   static const Recording recording(tripods());
+  return recording;
+}
+const Recording& virtual_tripod_recording() {
+  static const Recording recording(tripods(), WholeBodyController::virtual_model);
   return recording;
 }
 const Recording& six_feet_recording() {
@@ -160,6 +173,9 @@ void play_runner(benchmark::State& state, const Recording& recording,
 void action_tick_tripod(benchmark::State& state) {
   play_core(state, tripod_recording(), tripod_recording().amid, kTicks);
 }
+void action_tick_virtual_tripod(benchmark::State& state) {
+  play_core(state, virtual_tripod_recording(), virtual_tripod_recording().amid, kTicks);
+}
 void action_tick_six_feet(benchmark::State& state) {
   play_core(state, six_feet_recording(), six_feet_recording().amid, kTicks);
 }
@@ -177,6 +193,7 @@ void action_step_six_feet(benchmark::State& state) {
 }
 
 BENCHMARK(action_tick_tripod)->UseManualTime()->Iterations(kIterations);
+BENCHMARK(action_tick_virtual_tripod)->UseManualTime()->Iterations(kIterations);
 BENCHMARK(action_tick_six_feet)->UseManualTime()->Iterations(kIterations);
 BENCHMARK(runner_tick_tripod)->UseManualTime()->Iterations(kIterations);
 BENCHMARK(runner_tick_six_feet)->UseManualTime()->Iterations(kIterations);

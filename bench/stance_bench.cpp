@@ -47,11 +47,14 @@ void efforts(benchmark::State& state, WholeBodyController controller, LegSet sup
                        LegArray<LegTrig>(6),
                        LegArray<double>(6, 0.0),
                        Vector3::UnitZ(),
+                       LegArray<LegJoints>(6),
                        LegArray<Vector3>(6, Vector3::UnitZ()),
                        {}};
   for (LegId i = 0; i < 6; ++i) {
     input.p_BF[i] = argos().legs[i].p_BC;
-    input.trig[i] = inverse_kinematics(argos().legs[i], input.p_BF[i]).trig;
+    const LegSolution joints = inverse_kinematics(argos().legs[i], input.p_BF[i]);
+    input.trig[i] = joints.trig;
+    input.q[i] = joints.q;
     input.load[i] = support.contains(i) ? 1.0 : 0.0;
   }
   input.error.p_B = {push, 0.0, 0.005};

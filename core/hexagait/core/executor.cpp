@@ -39,6 +39,7 @@ void Executor::reset(const RobotState& state, RestsOn rests_on) {
     trig_[i] = state.trig[i];
   }
   targets_.q = state.q;
+  X_OD_ = state.X_OB;
 }
 
 void Executor::command(const Footstep& step, const RobotState& state) noexcept {
@@ -78,6 +79,7 @@ void Executor::interrupt_base() noexcept {
 
 const JointTargets& Executor::advance(const RobotState& state, double dt) noexcept {
   move_base(state, dt);          // where should it go, and how fast can it?
+  stretch_springs(state, dt);    // how far is it from there?
   carry_with_ground(state, dt);  // and with it all feet that stand
   move_legs(state, dt);          // what each does over the ground
   set_joints(state, dt);
@@ -86,7 +88,6 @@ const JointTargets& Executor::advance(const RobotState& state, double dt) noexce
 }
 
 void Executor::move_base(const RobotState& state, double dt) noexcept {
-  base_error_ = {};
   if (base_follows_) return follow_base(state, dt);
   base_goal_ = base_command_.adaptation
                    ? base_command_.adaptation(base_command_, pose_adaptation_input(state))
@@ -120,8 +121,19 @@ void Executor::follow_base(const RobotState& state, double dt) noexcept {
   v += R_BD * (0.5 * share * now.V_B.v + rest * last.v);
   w += R_BD * (0.5 * share * now.V_B.w + rest * last.w);
   base_ = {{v.head<2>(), w.z()}, v.z(), w.x(), w.y()};
-  if (params_.controller == WholeBodyController::virtual_model)
-    base_error_ = base_error(state.X_OB, state.V_B, now.X_AB, now.V_B);
+}
+
+void Executor::stretch_springs(const RobotState& state, double dt) noexcept {
+  if (params_.controller != WholeBodyController::virtual_model) return;
+  Twist V_D = base_.twist();
+  if (base_follows_) {
+    X_OD_ = base_planned_.X_AB;
+    V_D = {rate_ * base_planned_.V_B.v, rate_ * base_planned_.V_B.w};
+  } else {
+    X_OD_.p += X_OD_.R * (V_D.v * dt);
+    X_OD_.R = orthonormalised(X_OD_.R * rotation(V_D.w * dt));
+  }
+  base_error_ = base_error(state.X_OB, state.V_B, X_OD_, V_D);
 }
 
 void Executor::move_legs(const RobotState& state, double dt) noexcept {
@@ -185,6 +197,9 @@ void Executor::carry_with_ground(const RobotState& state, double dt) noexcept {
   for (LegId i = 0; i < legs_.size(); ++i) {
     if (!legs_[i].with_ground()) continue;
     Vector3& p = legs_[i].p_BF;
+    // What efforts drive is where it is.
+    if (params_.controller == WholeBodyController::virtual_model && legs_[i].on_ground())
+      p = state.p_BF[i];
     const Vector3 shift = -(V.v * dt + turn.cross(p));
     p += shift - 0.5 * turn.cross(shift);
     if (legs_[i].on_ground())
@@ -253,6 +268,7 @@ void Executor::set_efforts(const RobotState& state, double dt) noexcept {
                        .trig = trig_,
                        .load = LegArray<double>(n),
                        .up_B = state.X_OB.R.row(2),
+                       .q = targets_.q,
                        .normal_B = LegArray<Vector3>(n),
                        .error = base_error_};
   for (LegId i = 0; i < n; ++i) {
@@ -265,8 +281,11 @@ void Executor::set_efforts(const RobotState& state, double dt) noexcept {
       joint_efforts(params_.controller, *model_, input, params_.gravity, params_.virtual_model);
 
   for (LegId i = 0; i < legs_.size(); ++i) {
-    if (params_.controller == WholeBodyController::virtual_model && legs_[i].on_ground())
-      targets_.mode[i] = ControlMode::effort;
+    // A plan that drives a leg by efforts does it alone; the feet that stand are the controller's.
+    if (params_.controller == WholeBodyController::virtual_model) {
+      if (targets_.mode[i] == ControlMode::effort) targets_.effort[i].setZero();
+      if (legs_[i].on_ground()) targets_.mode[i] = ControlMode::effort;
+    }
 
     // What a plan adds comes and goes within kEffortRamp.
     const LegJoints wish = planned_effort(i, state);

@@ -98,6 +98,7 @@ class Executor {
   void move_legs(const RobotState& state, double dt) noexcept;
   void set_joints(const RobotState& state, double dt) noexcept;
   void set_efforts(const RobotState& state, double dt) noexcept;
+  void stretch_springs(const RobotState& state, double dt) noexcept;
   [[nodiscard]] bool led_by_joints(LegId leg) const noexcept;
   [[nodiscard]] LegSolution wanted_joints(LegId leg, const RobotState& state) noexcept;
   [[nodiscard]] LegJoints planned_effort(LegId leg, const RobotState& state) const noexcept;
@@ -120,7 +121,11 @@ class Executor {
   bool base_follows_ = false;
   double base_time_ = 0.0;  ///< in its plan [s]
   BaseState base_planned_;  ///< at that time
-  BaseError base_error_;    ///< against the plan; none without one
+
+  // Of the virtual model: the base as it is to be, by its plan or, without one, held and moved on
+  // from where that left it.
+  Pose X_OD_;
+  BaseError base_error_;
 };
 
 }  // namespace hexagait

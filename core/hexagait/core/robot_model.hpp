@@ -76,6 +76,8 @@ struct RobotModel {
   double foot_radius = 0.0;        ///< spherical feet [m]
   double mass = 0.0;               ///< all links [kg]
   Vector3 p_BM = Vector3::Zero();  ///< centre of mass in the nominal stance [m]
+  /// About it, in that stance, axes of B [kg m²].
+  Matrix3 inertia_M_B = Matrix3::Zero();
 
   int num_legs() const { return legs.size(); }
 };

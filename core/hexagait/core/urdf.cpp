@@ -6,6 +6,7 @@
 #include <fstream>
 #include <hexagait/core/kinematics.hpp>
 #include <hexagait/core/leg_recognition.hpp>
+#include <hexagait/core/leg_weight.hpp>
 #include <hexagait/core/robot_tree.hpp>
 #include <hexagait/core/workspace.hpp>
 #include <sstream>
@@ -143,6 +144,7 @@ RobotModel parse_urdf(const std::string& xml, const std::string& source) {
   robot.name = std::move(tree->name);
   robot.base = std::move(tree->base);
   sum_masses(robot);
+  robot.inertia_M_B = nominal_inertia(robot);
   return robot;
 }
 

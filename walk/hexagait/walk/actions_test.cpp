@@ -46,13 +46,13 @@ action::Action load(const Case& c, const std::map<std::string, std::string>& pla
 }
 
 ActionSummary run(const Case& c, const action::Action& action, std::uint64_t seed = 1,
-                  const ActionObserver& observer = {}) {
+                  const ActionObserver& observer = {}, const RunnerParams& runner_params = {}) {
   const RobotModel& model = robot(c.robot);
   const StartPosture posture = start_posture(model, c.start, seed);
   sim3d::WorldParams params;
   params.start_height = posture.height;
   sim3d::World world(model, sim3d::parse_terrain(c.terrain), params, posture.q);
-  ActionRunner runner(model);
+  ActionRunner runner(model, runner_params);
   ActionTrialOptions options;
   options.rests_on = posture.rests_on;
   return run_action(runner, world, world.truth(), action, options, observer);
@@ -90,18 +90,15 @@ TEST(ActionFiles, AreAllTested) {
   }
 }
 
-// Checked ahead nothing is found, and the preview's time is the true one but for feet that come to
-// the ground a little sooner or later.
-TEST_P(Actions, AreCarriedOutAsPreviewed) {
-  const Case& c = GetParam();
-  const action::Action action = load(c);
+Preview ahead_of(const Case& c, const action::Action& action) {
   const StartPosture posture = start_posture(robot(c.robot), c.start);
   PreviewParams params;
   params.rests_on = posture.rests_on;
-  const Preview ahead = preview(robot(c.robot), posture.q, action, params);
-  for (const Finding& finding : ahead.findings) ADD_FAILURE() << in_words(finding, action.source);
+  return preview(robot(c.robot), posture.q, action, params);
+}
 
-  const ActionSummary summary = run(c, action);
+// The preview's time is the true one but for feet that come to the ground a little sooner or later.
+void expect_as_previewed(const Case& c, const ActionSummary& summary, const Preview& ahead) {
   EXPECT_EQ(summary.result.outcome, Outcome::succeeded) << to_string(summary.result.cause);
   EXPECT_FALSE(summary.fell);
   EXPECT_FALSE(summary.leg_touched);
@@ -109,6 +106,24 @@ TEST_P(Actions, AreCarriedOutAsPreviewed) {
   EXPECT_EQ(summary.stands_at_end, c.stands_at_end);
   EXPECT_GT(summary.margin_min, c.least_margin);
   EXPECT_NEAR(summary.seconds, ahead.seconds, 0.03 * ahead.seconds + 0.02);
+}
+
+// Checked ahead nothing is found.
+TEST_P(Actions, AreCarriedOutAsPreviewed) {
+  const action::Action action = load(GetParam());
+  const Preview ahead = ahead_of(GetParam(), action);
+  for (const Finding& finding : ahead.findings) ADD_FAILURE() << in_words(finding, action.source);
+  expect_as_previewed(GetParam(), run(GetParam(), action), ahead);
+}
+
+// With the other controller the same actions, unchanged ([FG16] IV): the legs that stand are driven
+// by torques alone.
+TEST_P(Actions, AreCarriedOutByTorquesToo) {
+  const action::Action action = load(GetParam());
+  RunnerParams params;
+  params.executor.controller = WholeBodyController::virtual_model;
+  expect_as_previewed(GetParam(), run(GetParam(), action, 1, {}, params),
+                      ahead_of(GetParam(), action));
 }
 
 // From random joint values, the belly on the ground, to the stance: the origin 0.3 m above the
