@@ -39,8 +39,8 @@ LegArray<LegJoints> efforts(WholeBodyController controller, const WholeBodyInput
 Wrench wrench_of(const WholeBodyInput& input, const LegArray<LegJoints>& effort) {
   Wrench sum;
   for (LegId i = 0; i < 6; ++i) {
-    const Matrix3 J = foot_jacobian(argos().legs[i], input.trig[i]);
-    const Vector3 force = -J.transpose().inverse() * effort[i];
+    const Matrix3 J = foot_jacobian(argos().legs[i], input.trig[i]).leftCols<3>();
+    const Vector3 force = -J.transpose().inverse() * effort[i].head<3>();
     sum.force += force;
     sum.moment += input.p_BF[i].cross(force);
   }
@@ -67,7 +67,7 @@ TEST(WholeBody, FeedsForwardSharedLoadsIfKinematic) {
       shared_load(input.p_BF, argos().p_BM, input.load, argos().mass * kGravity);
   const LegArray<LegJoints> effort = efforts(WholeBodyController::kinematic, input);
   for (LegId i = 0; i < 6; ++i) {
-    const Matrix3 J = foot_jacobian(argos().legs[i], input.trig[i]);
+    const LegJacobian J = foot_jacobian(argos().legs[i], input.trig[i]);
     const LegJoints expected = J.transpose() * (-force[i] * input.up_B);
     EXPECT_EQ(effort[i], i == 4 ? LegJoints(LegJoints::Zero()) : expected);
   }
