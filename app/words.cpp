@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace hexagait::app {
@@ -58,6 +59,12 @@ std::string gait(const Summary& s) {
 
 void add(std::string& text, const char* label, const std::string& value) {
   text += fmt::format("  {:<12}{}\n", label, value);
+}
+
+// Lengths of coxa, femur and tibia, if these are what it has.
+std::string links_in_words(const LegModel& leg) {
+  if (leg.kind == LegKind::serial) return fmt::format("{} joints, serial", leg.num_joints());
+  return fmt::format("{:.3f}  {:.3f}  {:.3f}", leg.coxa, leg.femur, leg.tibia);
 }
 
 }  // namespace
@@ -143,14 +150,15 @@ std::string in_words(const RobotModel& robot) {
                       robot.p_BM.x(), robot.p_BM.y(), robot.p_BM.z());
   text += "  leg    coxa   femur  tibia  reach          workspace centre           radius  [m]\n";
   for (const LegModel& leg : robot.legs)
-    text += fmt::format(
-        "  {:<5}  {:.3f}  {:.3f}  {:.3f}  {:.3f}…{:.3f}  ({:6.3f}, {:6.3f}, {:6.3f})  {:.3f}\n",
-        leg.name, leg.coxa, leg.femur, leg.tibia, leg.min_reach, leg.max_reach, leg.p_BC.x(),
-        leg.p_BC.y(), leg.p_BC.z(), leg.workspace_radius);
-  text += "  joints  (hip yaw, hip pitch, knee pitch)\n";
+    text += fmt::format("  {:<5}  {:<19}  {:.3f}…{:.3f}  ({:6.3f}, {:6.3f}, {:6.3f})  {:.3f}\n",
+                        leg.name, links_in_words(leg), leg.min_reach, leg.max_reach, leg.p_BC.x(),
+                        leg.p_BC.y(), leg.p_BC.z(), leg.workspace_radius);
+  const bool serial = std::ranges::any_of(
+      robot.legs, [](const LegModel& leg) { return leg.kind == LegKind::serial; });
+  text += serial ? "  joints  (hip to foot)\n" : "  joints  (hip yaw, hip pitch, knee pitch)\n";
   for (const LegModel& leg : robot.legs) {
     text += fmt::format("  {:<5}", leg.name);
-    for (std::size_t k = 0; k < leg.joint_names.size(); ++k)
+    for (int k = 0; k < leg.num_joints(); ++k)
       text += fmt::format("  {} {:.0f}…{:.0f}°", leg.joint_names[k], degrees(leg.limits[k].lower),
                           degrees(leg.limits[k].upper));
     text += "\n";

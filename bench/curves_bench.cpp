@@ -72,7 +72,7 @@ std::vector<JointKnot> joint_knots(benchmark::State& state) {
   std::vector<JointKnot> knots(static_cast<std::size_t>(state.range(0)));
   for (std::size_t k = 0; k < knots.size(); ++k) {
     knots[k].time = 0.1 * static_cast<double>(k + 1);
-    knots[k].q = LegJoints(0.1, 0.2, 0.3) * static_cast<double>(k % 4);
+    knots[k].q = leg_joints({0.1, 0.2, 0.3}) * static_cast<double>(k % 4);
   }
   return knots;
 }

@@ -10,11 +10,11 @@
 // How the two example processes talk: fixed-size packets of doubles over a pipe that keeps packets
 // apart. A stand-in for the bus, the shared memory or the middleware of a real robot.
 
-inline constexpr int kMaxJoints = 3 * hexagait::kMaxLegs;
+inline constexpr int kMaxJoints = hexagait::kMaxLegJoints * hexagait::kMaxLegs;
 
 struct StatePacket {
   double time = 0.0;                        // [s]
-  double q[kMaxJoints] = {};                // [rad], leg by leg: yaw, hip, knee
+  double q[kMaxJoints] = {};                // [rad], leg by leg, hip to foot
   double contact[hexagait::kMaxLegs] = {};  // 0 or 1
 };
 
@@ -24,11 +24,19 @@ struct TargetPacket {
   double effort[kMaxJoints] = {};  // [N m]
 };
 
+// Every leg has kMaxLegJoints places; those of joints it doesn't have are 0.
+inline hexagait::LegJoints joints_of(const double* values, hexagait::LegId leg) {
+  return hexagait::LegJoints(values + hexagait::kMaxLegJoints * leg);
+}
+inline void put_joints(const hexagait::LegJoints& joints, hexagait::LegId leg, double* values) {
+  for (int k = 0; k < joints.size(); ++k) values[hexagait::kMaxLegJoints * leg + k] = joints[k];
+}
+
 inline hexagait::Measurement measurement_from(const StatePacket& packet, int num_legs) {
   hexagait::Measurement m{packet.time, hexagait::LegArray<hexagait::LegJoints>(num_legs),
                           hexagait::LegArray<bool>(num_legs)};
   for (hexagait::LegId i = 0; i < num_legs; ++i) {
-    m.q[i] = hexagait::LegJoints(&packet.q[3 * i]);
+    m.q[i] = joints_of(packet.q, i);
     m.contact[i] = packet.contact[i] != 0.0;
   }
   return m;
@@ -37,7 +45,7 @@ inline hexagait::Measurement measurement_from(const StatePacket& packet, int num
 inline StatePacket packet_from(const hexagait::Measurement& m) {
   StatePacket packet{.time = m.time};
   for (hexagait::LegId i = 0; i < m.q.size(); ++i) {
-    for (int k = 0; k < 3; ++k) packet.q[3 * i + k] = m.q[i][k];
+    put_joints(m.q[i], i, packet.q);
     packet.contact[i] = m.contact[i] ? 1.0 : 0.0;
   }
   return packet;
@@ -46,11 +54,9 @@ inline StatePacket packet_from(const hexagait::Measurement& m) {
 inline TargetPacket packet_from(const hexagait::JointTargets& targets) {
   TargetPacket packet;
   for (hexagait::LegId i = 0; i < targets.q.size(); ++i) {
-    for (int k = 0; k < 3; ++k) {
-      packet.q[3 * i + k] = targets.q[i][k];
-      packet.qd[3 * i + k] = targets.qd[i][k];
-      packet.effort[3 * i + k] = targets.effort[i][k];
-    }
+    put_joints(targets.q[i], i, packet.q);
+    put_joints(targets.qd[i], i, packet.qd);
+    put_joints(targets.effort[i], i, packet.effort);
   }
   return packet;
 }
@@ -60,9 +66,9 @@ inline hexagait::JointTargets targets_from(const TargetPacket& packet, int num_l
   hexagait::JointTargets targets{LegArray<LegJoints>(num_legs), LegArray<LegJoints>(num_legs),
                                  LegArray<LegJoints>(num_legs)};
   for (hexagait::LegId i = 0; i < num_legs; ++i) {
-    targets.q[i] = hexagait::LegJoints(&packet.q[3 * i]);
-    targets.qd[i] = hexagait::LegJoints(&packet.qd[3 * i]);
-    targets.effort[i] = hexagait::LegJoints(&packet.effort[3 * i]);
+    targets.q[i] = joints_of(packet.q, i);
+    targets.qd[i] = joints_of(packet.qd, i);
+    targets.effort[i] = joints_of(packet.effort, i);
   }
   return targets;
 }

@@ -37,7 +37,7 @@ void ActionRunner::start(const Measurement& measurement, RestsOn rests_on) {
 const ActionRecord& ActionRunner::tick(PlantStatus status,
                                        const Measurement& measurement) noexcept {
   const double dt = params_.control_dt;
-  if (watch_.accepts(status, measurement, model_->num_legs(), dt, params_.late_limit)) {
+  if (watch_.accepts(status, measurement, *model_, dt, params_.late_limit)) {
     record_.measurement = measurement;
     estimator_.update(record_.state, measurement, executor_, dt);
     sequencer_.update(executor_, record_.state, frames_, dt);

@@ -32,7 +32,7 @@ action::Action long_action(const ScriptedRobot& robot) {
   joints.ignore_contact = true;
   for (int k = 1; k < 6; ++k) {
     JointKnot knot{.time = 0.1 * k};
-    knot.q = robot.record().state.q[4] + LegJoints(0.02 * k, -0.05 * k, 0.0);
+    knot.q = robot.record().state.q[4] + leg_joints({0.02 * k, -0.05 * k, 0.0});
     joints.knots.push_back(knot);
   }
   action::BaseTrajectory base;

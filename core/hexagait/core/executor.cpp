@@ -219,15 +219,13 @@ LegSolution Executor::wanted_joints(LegId leg, const RobotState& state) noexcept
   const LegModel& model = model_->legs[leg];
   const LegLane& lane = legs_[leg];
   const LegPlan& plan = plans_[leg];
-  if (!led_by_joints(leg)) return inverse_kinematics(model, lane.p_BF);
+  if (!led_by_joints(leg)) return inverse_kinematics(model, lane.p_BF, targets_.q[leg]);
   if (lane.phase == LegPhase::hold) return {targets_.q[leg], trig_[leg], true};
   const bool driven = plan.mode == ControlMode::effort;  // wherever efforts take it
   const LegJoints asked = driven ? state.q[leg] : plan.joints.at(lane.time).q;
   LegJoints q = asked;
-  for (int k = 0; k < 3; ++k) {
-    const JointLimits& limits = model.limits[static_cast<std::size_t>(k)];
-    q[k] = std::clamp(q[k], limits.lower, limits.upper);
-  }
+  for (int k = 0; k < model.num_joints(); ++k)
+    q[k] = std::clamp(q[k], model.limits[k].lower, model.limits[k].upper);
   return {q, leg_trig(model, q), driven || within_limits(model, asked)};
 }
 
@@ -240,8 +238,8 @@ void Executor::set_joints(const RobotState& state, double dt) noexcept {
     // What asks for more than a servo can do becomes a motion as fast as it can.
     LegJoints change = wanted.q - targets_.q[i];
     bool limited = false;
-    for (int k = 0; k < 3; ++k) {
-      const double most = leg.limits[static_cast<std::size_t>(k)].velocity * dt;
+    for (int k = 0; k < leg.num_joints(); ++k) {
+      const double most = leg.limits[k].velocity * dt;
       limited = limited || std::abs(change[k]) > most;
       change[k] = std::clamp(change[k], -most, most);
     }
@@ -290,9 +288,8 @@ void Executor::set_efforts(const RobotState& state, double dt) noexcept {
     // What a plan adds comes and goes within kEffortRamp.
     const LegJoints wish = planned_effort(i, state);
     if (wish.isZero() && planned_effort_[i].isZero()) continue;
-    for (int k = 0; k < 3; ++k) {
-      const double most =
-          model_->legs[i].limits[static_cast<std::size_t>(k)].effort * dt / kEffortRamp;
+    for (int k = 0; k < model_->legs[i].num_joints(); ++k) {
+      const double most = model_->legs[i].limits[k].effort * dt / kEffortRamp;
       planned_effort_[i][k] += std::clamp(wish[k] - planned_effort_[i][k], -most, most);
     }
     targets_.effort[i] += planned_effort_[i];

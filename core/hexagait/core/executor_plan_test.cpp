@@ -29,9 +29,7 @@ action::JointTarget joint_target(LegId leg) {
   return target;
 }
 
-double effort_limit(LegId leg, int k) {
-  return argos().legs[leg].limits[static_cast<std::size_t>(k)].effort;
-}
+double effort_limit(LegId leg, int k) { return argos().legs[leg].limits[k].effort; }
 
 // A force of 20 N down from a foot in the air: comes within 0.1 s, at no more than a limit per
 // 0.1 s, and goes likewise.
@@ -60,7 +58,7 @@ TEST(Effort, OfAPlanComesAndGoesSmoothly) {
 TEST(ModeChange, StartsFromTheMeasuredState) {
   ScriptedRobot robot(argos());
   action::JointTarget limp = joint_target(0);
-  limp.target.effort = LegJoints(0.0, 0.0, 0.0);
+  limp.target.effort = leg_joints({0.0, 0.0, 0.0});
   limp.average_velocity = 0.1;
   action::LegMode wait = testing::leg_mode(0, false, 0.2);
   robot.runner.submit(steps(
@@ -72,7 +70,7 @@ TEST(ModeChange, StartsFromTheMeasuredState) {
     const JointTargets& targets = robot.record().desired.targets;
     if (targets.mode[0] == ControlMode::effort) {
       driven = true;
-      robot.measurement.q[0] = pushed = targets.q[0] + LegJoints(0.002, 0.0, 0.0);
+      robot.measurement.q[0] = pushed = targets.q[0] + leg_joints({0.002, 0.0, 0.0});
     }
     robot.runner.tick(PlantStatus::fresh, robot.measurement);
   }
@@ -86,7 +84,7 @@ TEST(Joints, StayWithinTheirLimitsAndBeyondThemTheActionFails) {
   ScriptedRobot robot(argos());
   action::JointTarget far = joint_target(2);
   const JointLimits& limits = argos().legs[2].limits[0];
-  far.target.q = robot.record().state.q[2] + LegJoints(0.0, -0.3, 0.0);
+  far.target.q = robot.record().state.q[2] + leg_joints({0.0, -0.3, 0.0});
   far.target.q[0] = limits.upper + 0.5;
   robot.runner.submit(steps({step({{far, {}}})}));
   robot.finish(
@@ -103,7 +101,7 @@ TEST(Joints, GoByVelocity) {
   turn.ignore_contact = true;
   for (const double time : {0.3, 0.6}) {
     JointKnot knot{.time = time};
-    knot.qd = LegJoints(0.1, 0.0, 0.0);
+    knot.qd = leg_joints({0.1, 0.0, 0.0});
     turn.knots.push_back(knot);
   }
   robot.runner.submit(
@@ -140,7 +138,7 @@ TEST(Foot, PassesFromTargetToTargetWithTheVelocityAskedFor) {
 TEST(Foot, KnowsItsVelocityWhenTheJointsLead) {
   ScriptedRobot robot(argos());
   action::JointTarget target = joint_target(0);
-  target.target.q = robot.record().state.q[0] + LegJoints(0.3, -0.3, 0.0);
+  target.target.q = robot.record().state.q[0] + leg_joints({0.3, -0.3, 0.0});
   robot.runner.submit(steps({step({{target, {}}})}));
   robot.run(0.14);
   const Vector3 before = robot.foot(0);

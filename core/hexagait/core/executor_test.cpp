@@ -25,7 +25,8 @@ struct Scene {
 
   explicit Scene(const RobotModel& robot) : model(robot), executor(robot, {}) {
     const int n = robot.num_legs();
-    state.q = state.p_BF = state.p_OF = state.print_O = LegArray<Vector3>(n);
+    state.q = LegArray<LegJoints>(n);
+    state.p_BF = state.p_OF = state.print_O = LegArray<Vector3>(n);
     state.trig = LegArray<LegTrig>(n);
     state.contact = LegArray<bool>(n, true);
     for (LegId i = 0; i < n; ++i)
@@ -176,9 +177,9 @@ TEST(Executor, GivesEachLegTheEffortsOfOneVerticalForce) {
   double weight = 0.0;
   for (LegId i = 0; i < 6; ++i) {
     const LegJoints q = scene.executor.targets().q[i], effort = scene.executor.targets().effort[i];
-    Vector3 dz;
+    LegJoints dz = LegJoints::Zero();
     for (int k = 0; k < 3; ++k) {
-      const Vector3 h = 1e-6 * Vector3::Unit(k);
+      const LegJoints h = 1e-6 * LegJoints::Unit(k);
       dz[k] = (foot_position(model.legs[i], LegJoints(q + h)).z() -
                foot_position(model.legs[i], LegJoints(q - h)).z()) /
               2e-6;
@@ -227,8 +228,7 @@ TEST(Executor, NeverMovesAJointTargetFasterThanItsLimit) {
         const LegJoints change = scene.executor.targets().q[i] - before[i];
         ASSERT_LT((change - kDt * scene.executor.targets().qd[i]).norm(), 1e-12);
         for (int k = 0; k < 3; ++k)
-          ASSERT_LE(std::abs(change[k]),
-                    model.legs[i].limits[static_cast<std::size_t>(k)].velocity * kDt)
+          ASSERT_LE(std::abs(change[k]), model.legs[i].limits[k].velocity * kDt)
               << "trial " << trial << " tick " << tick << " leg " << i << " joint " << k << " "
               << to_string(scene.executor.legs()[i].phase);
       }

@@ -28,4 +28,15 @@ Matrix3 orthonormalised(const Matrix3& R) {
   return Q;
 }
 
+NearestPoints nearest_points(const Vector3& p_1, const Vector3& a_1, const Vector3& p_2,
+                             const Vector3& a_2) {
+  constexpr double kParallel = 1e-9;
+  const Vector3 way = p_2 - p_1;
+  const double along = a_1.dot(a_2), skew = 1.0 - along * along;
+  if (skew < kParallel) return {p_1 + a_1 * a_1.dot(way), p_2};
+  const double s = (a_1.dot(way) - along * a_2.dot(way)) / skew;
+  const double t = (along * a_1.dot(way) - a_2.dot(way)) / skew;
+  return {p_1 + s * a_1, p_2 + t * a_2};
+}
+
 }  // namespace hexagait

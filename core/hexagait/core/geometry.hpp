@@ -55,6 +55,14 @@ struct Twist {
 /// R with its columns made orthonormal again (one Gram-Schmidt pass): removes rounding drift.
 [[nodiscard]] Matrix3 orthonormalised(const Matrix3& R);
 
+/// Where two lines through points p along unit vectors a come nearest to each other. If they are
+/// parallel, that is everywhere: p_2 and the point across from it are taken.
+struct NearestPoints {
+  Vector3 on_first = Vector3::Zero(), on_second = Vector3::Zero();
+};
+[[nodiscard]] NearestPoints nearest_points(const Vector3& p_1, const Vector3& a_1,
+                                           const Vector3& p_2, const Vector3& a_2);
+
 /// z × v: v turned by +90° about z, in the plane; z is dropped.
 [[nodiscard]] inline Vector2 perpendicular(const Vector2& v) { return {-v.y(), v.x()}; }
 

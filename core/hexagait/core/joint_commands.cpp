@@ -4,15 +4,19 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <hexagait/core/action_commands.hpp>
 
 namespace hexagait::action {
 namespace {
 
 // [i]: which joint of the leg, hip to foot, the i-th value is for.
-using JointOrder = std::array<int, 3>;
-constexpr JointOrder kHipToFoot = {0, 1, 2};
+using JointOrder = JointArray<int>;
+
+JointOrder hip_to_foot(const LegModel& leg) {
+  JointOrder order(leg.num_joints());
+  for (int i = 0; i < order.size(); ++i) order[i] = i;
+  return order;
+}
 
 // The keys under which values of joints stand, and where they belong.
 struct JointKeys {
@@ -26,8 +30,12 @@ LegJoints read_joints(YamlReader& yaml, const YamlFields& fields, std::string_vi
   LegJoints joints = LegJoints::Constant(JointKnot::kNone);
   const std::optional<YamlField> field = yaml.find(fields, key);
   if (!field) return joints;
-  const Vector3 values = yaml.vector(*field, angles).value_or(Vector3::Zero());
-  for (int i = 0; i < 3; ++i) joints[order[static_cast<std::size_t>(i)]] = values[i];
+  // Joints that the leg doesn't have are given too: as 0.
+  joints.setZero();
+  const std::size_t count = static_cast<std::size_t>(order.size());
+  const std::optional<std::vector<double>> values = yaml.numbers(*field, {&count, 1}, angles);
+  for (int i = 0; values && i < order.size(); ++i)
+    joints[order[i]] = (*values)[static_cast<std::size_t>(i)];
   return joints;
 }
 
@@ -50,25 +58,25 @@ bool says_nothing(const JointKnot& knot) {
 JointOrder read_joint_names(YamlReader& yaml, const LegModel& leg, const YamlField& field) {
   const std::vector<std::string> known(leg.joint_names.begin(), leg.joint_names.end());
   const std::vector<YamlField> names = yaml.list(field);
-  if (!yaml.node(field.node).is_list()) return kHipToFoot;
+  if (!yaml.node(field.node).is_list()) return hip_to_foot(leg);
   if (names.size() != known.size()) {
     yaml.refuse(field, fmt::format("all joints of {}: {}", leg.name, fmt::join(known, ", ")));
-    return kHipToFoot;
+    return hip_to_foot(leg);
   }
-  JointOrder order = {-1, -1, -1};
+  JointOrder order(leg.num_joints(), -1);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string name = yaml.text(names[i]).value_or("");
     const auto found = std::find(known.begin(), known.end(), name);
     if (found == known.end()) {
       yaml.refuse_word(names[i].mark, fmt::format("joint of {}", leg.name), name, known);
-      return kHipToFoot;
+      return hip_to_foot(leg);
     }
     const int joint = static_cast<int>(found - known.begin());
     if (std::find(order.begin(), order.end(), joint) != order.end()) {
       yaml.refuse(names[i].mark, fmt::format("joint {} stands here a second time", quoted(name)));
-      return kHipToFoot;
+      return hip_to_foot(leg);
     }
-    order[i] = joint;
+    order[static_cast<int>(i)] = joint;
   }
   return order;
 }
@@ -77,7 +85,7 @@ JointKnot read_named_state(YamlReader& yaml, const LegModel& leg, const YamlFiel
   const YamlFields state = yaml.fields(field, kJointStateMap);
   const std::optional<YamlField> names = yaml.find(state, "joint_names");
   return read_joint_state(yaml, state, kPlural,
-                          names ? read_joint_names(yaml, leg, *names) : kHipToFoot);
+                          names ? read_joint_names(yaml, leg, *names) : hip_to_foot(leg));
 }
 
 // A quantity comes and goes at knots only if a curve can be drawn all the same.
@@ -99,14 +107,15 @@ void check_same_quantities(YamlReader& yaml, const Mark& mark, const JointKnot& 
 JointTarget read_joint_target(YamlReader& yaml, const ActionWords& words,
                               const YamlFields& options) {
   JointTarget command{read_leg_motion(yaml, words, options), {}};
-  command.target = read_joint_state(yaml, options, kSingular, kHipToFoot);
+  const LegModel& leg = words.model.legs[command.leg];
+  command.target = read_joint_state(yaml, options, kSingular, hip_to_foot(leg));
   const bool is_direct = !says_nothing(command.target);
   if (const auto target = yaml.find(options, "target")) {
     if (is_direct)
       yaml.refuse(target->mark,
                   "target: stands beside position, velocity, acceleration or effort; it must be "
                   "either");
-    command.target = read_named_state(yaml, words.model.legs[command.leg], *target);
+    command.target = read_named_state(yaml, leg, *target);
   }
   if (says_nothing(command.target))
     yaml.refuse(options.mark,
@@ -124,8 +133,8 @@ JointTrajectory read_joint_trajectory(YamlReader& yaml, const ActionWords& words
   if (!field) return command;
   const YamlFields trajectory = yaml.fields(*field, kLegTrajectoryMap);
   const std::optional<YamlField> names = yaml.require(trajectory, "joint_names");
-  const JointOrder order =
-      names ? read_joint_names(yaml, words.model.legs[command.leg], *names) : kHipToFoot;
+  const LegModel& leg = words.model.legs[command.leg];
+  const JointOrder order = names ? read_joint_names(yaml, leg, *names) : hip_to_foot(leg);
   for (const YamlField& item : read_knots(yaml, trajectory)) {
     const YamlFields fields = yaml.fields(item, kJointKnotMap);
     const double before = command.knots.empty() ? -1.0 : command.knots.back().time;

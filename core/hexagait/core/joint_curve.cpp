@@ -29,11 +29,27 @@ Place place_of(const JointKnot& knot, const Place& last) {
   return {knot.time, q, given_or(knot.qd, still)};
 }
 
-KnotRates bounded_rates(const Place& last, const Place& now, const Place& next) {
+/// Velocity and acceleration of all joints at a knot.
+struct JointRates {
+  LegJoints v = LegJoints::Zero(), a = LegJoints::Zero();
+};
+
+/// Of the three joints from `first` on.
+PointState three_of(int first, const LegJoints& q, const LegJoints& qd, const LegJoints& qdd) {
+  return {q.segment<3>(first), qd.segment<3>(first), qdd.segment<3>(first)};
+}
+
+JointRates bounded_rates(const Place& last, const Place& now, const Place& next) {
   const double before = now.time - last.time, after = next.time - now.time;
   const LegJoints slope_before = (now.q - last.q) / before, slope_after = (next.q - now.q) / after;
-  KnotRates rates = parabola_rates(slope_before, before, slope_after, after);
-  for (int i = 0; i < 3; ++i) {
+  JointRates rates;
+  for (int i = 0; i < kMaxLegJoints; i += 3) {
+    const KnotRates three =
+        parabola_rates(slope_before.segment<3>(i), before, slope_after.segment<3>(i), after);
+    rates.v.segment<3>(i) = three.v;
+    rates.a.segment<3>(i) = three.a;
+  }
+  for (int i = 0; i < kMaxLegJoints; ++i) {
     const bool turns = slope_before[i] * slope_after[i] <= 0.0;
     const double bound =
         turns ? 0.0 : kMaxToMean * std::min(std::abs(slope_before[i]), std::abs(slope_after[i]));
@@ -58,7 +74,7 @@ LegJoints peak_joint_velocity(const LegJoints& from, const LegJoints& to,
 
 JointCurve& JointCurve::operator=(const JointCurve& other) {
   if (this == &other) return *this;
-  spline_ = other.spline_;
+  splines_ = other.splines_;
   efforts_.reserve(other.efforts_.capacity());
   efforts_ = other.efforts_;
   return *this;
@@ -66,14 +82,16 @@ JointCurve& JointCurve::operator=(const JointCurve& other) {
 
 void JointCurve::reserve(int knots) {
   const std::size_t nodes = static_cast<std::size_t>(std::max(knots, 1)) + 1;
-  spline_.reserve(nodes);
+  for (QuinticSpline& spline : splines_) spline.reserve(nodes);
   efforts_.reserve(nodes);
 }
 
 void JointCurve::plan(const JointState& start, std::span<const JointKnot> knots) noexcept {
-  const std::size_t room = std::min(spline_.capacity(), efforts_.capacity());
+  std::size_t room = efforts_.capacity();
+  for (const QuinticSpline& spline : splines_) room = std::min(room, spline.capacity());
   const auto usable = usable_knots(knots, std::max<std::size_t>(room, 1) - 1);
-  spline_.start({start.q, start.qd, start.qdd});
+  for (int i = 0; i < kMaxLegJoints; i += 3)
+    splines_[static_cast<std::size_t>(i / 3)].start(three_of(i, start.q, start.qd, start.qdd));
   efforts_.clear();
   if (room == 0) return;
   efforts_.push_back(start.effort);
@@ -82,24 +100,32 @@ void JointCurve::plan(const JointState& start, std::span<const JointKnot> knots)
   for (std::size_t k = 0; k < usable.size(); ++k) {
     const JointKnot& knot = usable[k];
     const Place now = place_of(knot, last);
-    KnotRates rates;
+    JointRates rates;
     if (k + 1 < usable.size()) rates = bounded_rates(last, now, place_of(usable[k + 1], now));
-    spline_.add(knot.time, {now.q, given_or(knot.qd, rates.v), given_or(knot.qdd, rates.a)});
+    const LegJoints qd = given_or(knot.qd, rates.v), qdd = given_or(knot.qdd, rates.a);
+    for (int i = 0; i < kMaxLegJoints; i += 3)
+      splines_[static_cast<std::size_t>(i / 3)].add(knot.time, three_of(i, now.q, qd, qdd));
     efforts_.push_back(given_or(knot.effort, efforts_.back()));
     last = now;
   }
 }
 
 JointState JointCurve::at(double t) const noexcept {
-  const PointState state = spline_.at(t);
-  JointState result{state.p, state.v, state.a, LegJoints::Zero()};
+  JointState result;
+  for (int i = 0; i < kMaxLegJoints; i += 3) {
+    const PointState three = splines_[static_cast<std::size_t>(i / 3)].at(t);
+    result.q.segment<3>(i) = three.p;
+    result.qd.segment<3>(i) = three.v;
+    result.qdd.segment<3>(i) = three.a;
+  }
   if (efforts_.empty()) return result;
   if (efforts_.size() == 1) {
     result.effort = efforts_.front();
     return result;
   }
-  const std::size_t k = spline_.segment(t);
-  const double begin = spline_.nodes()[k].time, end = spline_.nodes()[k + 1].time;
+  const QuinticSpline& spline = splines_[0];
+  const std::size_t k = spline.segment(t);
+  const double begin = spline.nodes()[k].time, end = spline.nodes()[k + 1].time;
   const double share = std::clamp((t - begin) / (end - begin), 0.0, 1.0);
   result.effort = (1.0 - share) * efforts_[k] + share * efforts_[k + 1];
   return result;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <hexagait/core/knots.hpp>
 #include <hexagait/core/quintic.hpp>
 
@@ -59,13 +60,13 @@ class JointCurve {
   /// at times that don't rise, or beyond the room, are left out as usable_knots() says.
   void plan(const JointState& start, std::span<const JointKnot> knots) noexcept;
 
-  [[nodiscard]] double duration() const noexcept { return spline_.duration(); }
+  [[nodiscard]] double duration() const noexcept { return splines_[0].duration(); }
   /// @param t  since the start, clamped into [0, duration()] [s]
   [[nodiscard]] JointState at(double t) const noexcept;
 
  private:
-  QuinticSpline spline_;
-  std::vector<LegJoints> efforts_;  // at its nodes
+  std::array<QuinticSpline, kMaxLegJoints / 3> splines_;  // of three joints each
+  std::vector<LegJoints> efforts_;                        // at its nodes
 };
 
 }  // namespace hexagait

@@ -10,7 +10,9 @@ namespace hexagait {
 namespace {
 
 LegJoints random_joints(RandomSequence& random, double size) {
-  return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
+  LegJoints joints;
+  for (double& joint : joints) joint = random.uniform(-size, size);
+  return joints;
 }
 
 JointCurve curve_of(const JointState& start, const std::vector<JointKnot>& knots) {
@@ -29,7 +31,7 @@ JointKnot knot_at(double time, const LegJoints& q) {
 
 // The second joint has 0.6 rad to go, 0.3 rad/s: 2 s. Its peak there: 1.875 · 0.6 / 2.
 TEST(JointDuration, IsThatOfTheLongestWay) {
-  const LegJoints from(0.1, 0.2, 0.3), to(0.2, -0.4, 0.3);
+  const LegJoints from = leg_joints({0.1, 0.2, 0.3}), to = leg_joints({0.2, -0.4, 0.3});
   EXPECT_NEAR(joint_duration(from, to, 0.3, 0.5), 2.0, 1e-15);
   EXPECT_EQ(joint_duration(from, to, 3.0, 0.5), 0.5);
   EXPECT_NEAR(peak_joint_velocity(from, to, 2.0)[1], 0.5625, 1e-15);
@@ -37,7 +39,7 @@ TEST(JointDuration, IsThatOfTheLongestWay) {
 
 // The bound is reached, in the middle, and not passed.
 TEST(JointTarget, IsReachedAtRestWithThePredictedPeakVelocity) {
-  const LegJoints from(0.1, 0.2, 0.3), to(0.5, -0.4, 1.0);
+  const LegJoints from = leg_joints({0.1, 0.2, 0.3}), to = leg_joints({0.5, -0.4, 1.0});
   const JointCurve curve = curve_of({.q = from}, {knot_at(0.8, to)});
   LegJoints fastest = LegJoints::Zero();
   for (int i = 0; i <= 1000; ++i)
@@ -137,11 +139,11 @@ TEST(JointTrajectory, ReproducesDenseSamplesOfAParabola) {
 TEST(JointTrajectory, LeadsEffortsLinearly) {
   std::vector<JointKnot> knots = {knot_at(1.0, LegJoints::Zero()), knot_at(2.0, LegJoints::Zero())};
   knots[0].effort[0] = 6.0;
-  const JointCurve curve = curve_of({.effort = LegJoints(2, 3, 4)}, knots);
+  const JointCurve curve = curve_of({.effort = leg_joints({2, 3, 4})}, knots);
   EXPECT_NEAR(curve.at(0.25).effort[0], 3.0, 1e-15);
   EXPECT_EQ(curve.at(0.25).effort[1], 3.0);
   EXPECT_NEAR(curve.at(1.5).effort[0], 6.0, 1e-15);
-  EXPECT_EQ(curve.at(7.0).effort, LegJoints(6, 3, 4));
+  EXPECT_EQ(curve.at(7.0).effort, leg_joints({6, 3, 4}));
 }
 
 // 0 → 1 rad/s in 1 s: ½ rad; then 1 rad/s for 2 s. The other joints stay.
@@ -149,9 +151,9 @@ TEST(JointTrajectory, IntegratesVelocitiesWithoutPositions) {
   std::vector<JointKnot> knots(2);
   knots[0].time = 1.0, knots[1].time = 3.0;
   knots[0].qd[1] = knots[1].qd[1] = 1.0;
-  const JointCurve curve = curve_of({.q = LegJoints(0.1, 0.2, 0.3)}, knots);
-  EXPECT_LT((curve.at(1.0).q - LegJoints(0.1, 0.7, 0.3)).norm(), 1e-15);
-  EXPECT_LT((curve.at(3.0).q - LegJoints(0.1, 2.7, 0.3)).norm(), 1e-15);
+  const JointCurve curve = curve_of({.q = leg_joints({0.1, 0.2, 0.3})}, knots);
+  EXPECT_LT((curve.at(1.0).q - leg_joints({0.1, 0.7, 0.3})).norm(), 1e-15);
+  EXPECT_LT((curve.at(3.0).q - leg_joints({0.1, 2.7, 0.3})).norm(), 1e-15);
   EXPECT_TRUE(curve.at(2.0).q.allFinite());
 }
 
@@ -167,9 +169,9 @@ TEST(JointCurve, CanBeCopiedWithItsRoomAndAllocatesOnlyWhenItReserves) {
   EXPECT_EQ(testing::allocations, before);
   EXPECT_EQ(first.duration(), knots.back().time);
   EXPECT_EQ(first.at(9.0).q[0], 50.0);
-  curve.plan({.q = LegJoints(1, 2, 3), .effort = LegJoints(4, 5, 6)}, {});
-  EXPECT_EQ(curve.at(1.0).q, LegJoints(1, 2, 3));
-  EXPECT_EQ(curve.at(1.0).effort, LegJoints(4, 5, 6));
+  curve.plan({.q = leg_joints({1, 2, 3}), .effort = leg_joints({4, 5, 6})}, {});
+  EXPECT_EQ(curve.at(1.0).q, leg_joints({1, 2, 3}));
+  EXPECT_EQ(curve.at(1.0).effort, leg_joints({4, 5, 6}));
 }
 
 }  // namespace

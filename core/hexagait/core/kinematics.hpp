@@ -2,73 +2,75 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/core/robot_model.hpp>
+#include <hexagait/core/leg_solution.hpp>
+#include <hexagait/core/serial_leg.hpp>
+#include <hexagait/core/yaw_pitch_pitch.hpp>
 
 namespace hexagait {
 
-// Forward and inverse kinematics of the yaw-pitch-pitch leg; frames and canonical angles k as in
-// LegModel. Fit for a control loop: nothing here allocates or throws, and forward kinematics,
-// Jacobian, tibia orientation and inverse kinematics share one set of sines and cosines per leg.
-
-/// Sines and cosines of one leg's canonical angles k₁, k₂ and k₂ + k₃.
-struct LegTrig {
-  double c1 = 1.0, s1 = 0.0;    ///< yaw
-  double c2 = 1.0, s2 = 0.0;    ///< pitch of the femur, positive downwards
-  double c23 = 1.0, s23 = 0.0;  ///< pitch of the tibia, positive downwards
-};
+// Forward and inverse kinematics of a leg, by its kind: in closed form for yaw_pitch_pitch, by
+// iteration for serial. Fit for a control loop: nothing here allocates or throws, iterations are
+// bounded, and forward kinematics, Jacobian, tibia orientation and inverse kinematics share one set
+// of sines and cosines per leg.
 
 /// @param q  joint values in the robot's own signs and zeros [rad]
-[[nodiscard]] LegTrig leg_trig(const LegModel& leg, const LegJoints& q) noexcept;
+[[nodiscard]] inline LegTrig leg_trig(const LegModel& leg, const LegJoints& q) noexcept {
+  return leg.kind == LegKind::serial ? serial::leg_trig(leg, q) : yaw_pitch_pitch::leg_trig(leg, q);
+}
 
-/// Foot centre p_BF [m]:
-///
-///     r = coxa + femur c₂ + tibia c₂₃,   h = −femur s₂ − tibia s₂₃,   p_HF = (r c₁, r s₁, h)
-[[nodiscard]] Vector3 foot_position(const LegModel& leg, const LegTrig& trig) noexcept;
-[[nodiscard]] Vector3 foot_position(const LegModel& leg, const LegJoints& q) noexcept;
+/// Foot centre p_BF [m].
+[[nodiscard]] inline Vector3 foot_position(const LegModel& leg, const LegTrig& trig) noexcept {
+  return leg.kind == LegKind::serial ? serial::foot_position(leg, trig)
+                                     : yaw_pitch_pitch::foot_position(leg, trig);
+}
+[[nodiscard]] inline Vector3 foot_position(const LegModel& leg, const LegJoints& q) noexcept {
+  return foot_position(leg, leg_trig(leg, q));
+}
 
-/// ∂p_BF/∂q [m/rad], by the robot's own joint values q. Singular where r = 0, and where the knee is
-/// straight or folded.
-[[nodiscard]] Matrix3 foot_jacobian(const LegModel& leg, const LegTrig& trig) noexcept;
+/// ∂p_BF/∂q [m/rad], by the robot's own joint values q.
+[[nodiscard]] inline LegJacobian foot_jacobian(const LegModel& leg, const LegTrig& trig) noexcept {
+  return leg.kind == LegKind::serial ? serial::foot_jacobian(leg, trig)
+                                     : yaw_pitch_pitch::foot_jacobian(leg, trig);
+}
 
-/// R_BT of the tibia frame T: x from the knee to the foot, y along the canonical pitch axis.
-[[nodiscard]] Matrix3 tibia_rotation(const LegModel& leg, const LegTrig& trig) noexcept;
+/// R_BT of a frame T that is fixed to the link with the foot.
+[[nodiscard]] inline Matrix3 tibia_rotation(const LegModel& leg, const LegTrig& trig) noexcept {
+  return leg.kind == LegKind::serial ? serial::tibia_rotation(leg, trig)
+                                     : yaw_pitch_pitch::tibia_rotation(leg, trig);
+}
 
-/// Rotation of the tibia in the body frame when the joints change by dq, to first order [rad].
+/// Rotation, in the body frame, of the link with the foot when the joints change by dq, to second
+/// order [rad].
 /// @param trig  the angles at which the change begins
-[[nodiscard]] Vector3 tibia_turn(const LegModel& leg, const LegTrig& trig,
-                                 const LegJoints& dq) noexcept;
+[[nodiscard]] inline Vector3 tibia_turn(const LegModel& leg, const LegTrig& trig,
+                                        const LegJoints& dq) noexcept {
+  return leg.kind == LegKind::serial ? serial::tibia_turn(leg, trig, dq)
+                                     : yaw_pitch_pitch::tibia_turn(leg, trig, dq);
+}
 
 /// Are all joints within their limits? An excess of up to 1e-9 rad (rounding) is allowed.
 [[nodiscard]] bool within_limits(const LegModel& leg, const LegJoints& q) noexcept;
 
-/// What inverse_kinematics() found.
-struct LegSolution {
-  LegJoints q = LegJoints::Zero();  ///< joint values, never outside their limits [rad]
-  LegTrig trig;                     ///< of q
-  bool reachable = false;           ///< is the foot where it was asked to be?
-};
+/// The joints that the leg has, and 0 for the rest, whatever stood there.
+[[nodiscard]] LegJoints own_joints(const LegModel& leg, const LegJoints& q) noexcept;
 
-/// Joint values that put the foot at p_BF with the knee above the line from hip to foot.
-///
-/// Closed form. With (r, h) the foot in the leg's plane, a = r − coxa, b = −h and d² = a² + b²:
-///
-///     c₃ = (d² − femur² − tibia²) / (2 femur tibia),   s₃ = +√(1 − c₃²)
-///     A = femur + tibia c₃,   B = tibia s₃,   (c₂, s₂) = (A a + B b, A b − B a) / d²
-///
-/// Yaw turns the leg's plane towards the foot, r > 0; where the limits forbid this but allow the
-/// leg to reach back through the yaw axis, r < 0. A foot on the yaw axis leaves yaw open: 0 is
-/// taken.
-///
-/// Out of reach, the leg points as near to the target as is sensible: yaw is limited first, the
-/// target is projected into the leg's plane, moved along the line from the hip-pitch axis into
-/// [min_reach, max_reach], and then hip and knee are limited.
-///
+/// Joint values that put the foot at p_BF; where there are none, those that bring it near.
 /// @param p_BF  foot centre in the body frame [m]; any finite value
-/// @pre 0 < min_reach <= max_reach < femur + tibia, and min_reach > |femur − tibia|
-[[nodiscard]] LegSolution inverse_kinematics(const LegModel& leg, const Vector3& p_BF) noexcept;
+/// @param near  where the search begins and, of several answers, which one is meant: the joint
+///              values before [rad]. The closed form needs none.
+[[nodiscard]] inline LegSolution inverse_kinematics(const LegModel& leg, const Vector3& p_BF,
+                                                    const LegJoints& near) noexcept {
+  return leg.kind == LegKind::serial ? serial::inverse_kinematics(leg, p_BF, near)
+                                     : yaw_pitch_pitch::inverse_kinematics(leg, p_BF);
+}
+/// The same, near the nominal stance.
+[[nodiscard]] inline LegSolution inverse_kinematics(const LegModel& leg,
+                                                    const Vector3& p_BF) noexcept {
+  return inverse_kinematics(leg, p_BF, leg.q_nominal);
+}
 
-/// X_BL of a link (0 coxa, 1 femur, 2 tibia), as the product of the rotations about the joint axes
-/// of LegModel. Slower than the functions above and independent of them: for simulators, and as an
+/// X_BL of a link (0 … num_joints − 1), as the product of the rotations about the joint axes of
+/// LegModel. Slower than the functions above and independent of them: for simulators, and as an
 /// oracle.
 [[nodiscard]] Pose link_pose(const LegModel& leg, int link, const LegJoints& q) noexcept;
 

@@ -33,7 +33,7 @@ LegModel leg_of(double coxa, double femur, double tibia, const Vector3& sign, co
   const double lower[] = {-1.2, -1.8, 0.1}, upper[] = {1.2, 1.5, 2.6};
   for (int i = 0; i < 3; ++i) {
     const double a = sign[i] * (lower[i] - offset[i]), b = sign[i] * (upper[i] - offset[i]);
-    leg.limits[static_cast<std::size_t>(i)] = {std::min(a, b), std::max(a, b), 8.0, 100.0};
+    leg.limits[i] = {std::min(a, b), std::max(a, b), 8.0, 100.0};
   }
   leg.min_reach = std::sqrt(femur * femur + tibia * tibia + 2.0 * femur * tibia * std::cos(2.6));
   leg.max_reach = 0.96 * (femur + tibia);
@@ -57,9 +57,9 @@ LegModel random_leg(RandomSequence& random) {
 }
 
 LegJoints random_joints(const LegModel& leg, RandomSequence& random) {
-  LegJoints q;
+  LegJoints q = LegJoints::Zero();
   for (int i = 0; i < 3; ++i) {
-    const JointLimits& limits = leg.limits[static_cast<std::size_t>(i)];
+    const JointLimits& limits = leg.limits[i];
     q[i] = random.uniform(limits.lower, limits.upper);
   }
   return q;
@@ -72,13 +72,13 @@ Vector3 kdl_foot(const LegModel& leg, const LegJoints& q, Matrix3* jacobian = nu
   // Frames parallel to B at joint zero, each at the next joint's point, the last one at the foot.
   const Vector3 points[] = {Vector3::Zero(), leg.p_BJ0[1], leg.p_BJ0[2], leg.p_BF0};
   KDL::Chain chain;
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; ++i) {
     const KDL::Joint joint("", vector(leg.p_BJ0[i] - points[i]), vector(leg.axis_B0[i]),
                            KDL::Joint::RotAxis);
     chain.addSegment(KDL::Segment("", joint, KDL::Frame(vector(points[i + 1] - points[i]))));
   }
   KDL::JntArray joints(3);
-  joints.data = q;
+  joints.data = q.head<3>();
   KDL::Frame foot;
   KDL::ChainFkSolverPos_recursive(chain).JntToCart(joints, foot);
   if (jacobian != nullptr) {
@@ -97,7 +97,7 @@ TEST(FootPosition, OfTheStraightLegIsItsLengthOutwards) {
 
 // Yaw 90°: outwards is y. Femur 30° up: 0.3·cos 30° out, 0.15 up. Knee 120°: the tibia hangs down.
 TEST(FootPosition, FollowsYawRaisedFemurAndHangingTibia) {
-  const Vector3 p = foot_position(plain_leg(), LegJoints(kPi / 2, -kPi / 6, kPi / 6 + kPi / 2));
+  const Vector3 p = foot_position(plain_leg(), leg_joints({kPi / 2, -kPi / 6, kPi / 6 + kPi / 2}));
   EXPECT_LT(distance(p, {0.0, 0.1 + 0.15 * std::sqrt(3.0), 0.15 - 0.4}), 1e-15);
 }
 
@@ -106,8 +106,8 @@ TEST(FootPosition, HeedsSignsAndZerosOfTheJoints) {
   LegModel leg = plain_leg();
   leg.joint_sign = -Vector3::Ones();
   leg.joint_offset = Vector3::Constant(0.5);
-  EXPECT_LT(distance(foot_position(leg, LegJoints(-0.5, 0.5, -0.5)),
-                     foot_position(plain_leg(), LegJoints(1.0, 0.0, 1.0))),
+  EXPECT_LT(distance(foot_position(leg, leg_joints({-0.5, 0.5, -0.5})),
+                     foot_position(plain_leg(), leg_joints({1.0, 0.0, 1.0}))),
             1e-15);
 }
 
@@ -153,7 +153,8 @@ TEST(FootJacobian, OfTheStraightLegHoldsTheLeverArms) {
   const LegModel leg = plain_leg();
   Matrix3 expected;
   expected << 0.0, 0.0, 0.0, 0.8, 0.0, 0.0, 0.0, -0.7, -0.4;
-  EXPECT_LT((foot_jacobian(leg, leg_trig(leg, LegJoints::Zero())) - expected).norm(), 1e-15);
+  EXPECT_LT((foot_jacobian(leg, leg_trig(leg, LegJoints::Zero())).leftCols<3>() - expected).norm(),
+            1e-15);
 }
 
 // Central differences with step h err by h²/6 · |p'''| < 1e-11 and by rounding 2e-15/h ~ 5e-10.
@@ -163,7 +164,7 @@ TEST(FootJacobian, IsTheDerivativeOfTheFootAndThatOfKdl) {
   for (int k = 0; k < 300; ++k) {
     const LegModel leg = random_leg(random);
     const LegJoints q = random_joints(leg, random);
-    const Matrix3 J = foot_jacobian(leg, leg_trig(leg, q));
+    const Matrix3 J = foot_jacobian(leg, leg_trig(leg, q)).leftCols<3>();
     for (int i = 0; i < 3; ++i) {
       const LegJoints step = h * LegJoints::Unit(i);
       const Vector3 slope =
@@ -182,7 +183,7 @@ TEST(FootJacobian, IsTheDerivativeOfTheFootAndThatOfKdl) {
 TEST(InverseKinematics, SolvesTheThreeFourFiveTriangle) {
   const LegSolution solution = inverse_kinematics(plain_leg(), {0.1, 0.0, -0.5});
   EXPECT_TRUE(solution.reachable);
-  EXPECT_LT(distance(solution.q, {0.0, std::atan2(0.3, 0.4), kPi / 2}), 1e-15);
+  EXPECT_LT(distance(solution.q.head<3>(), {0.0, std::atan2(0.3, 0.4), kPi / 2}), 1e-15);
 }
 
 // Within reach, with the knee bent upwards, there is one answer. Yaw is as good as its lever |r| is
@@ -194,14 +195,14 @@ TEST(InverseKinematics, UndoesForwardKinematics) {
     const LegModel leg = random_leg(random);
     const LegJoints q = random_joints(leg, random);
     const LegTrig trig = leg_trig(leg, q);
-    const double a = leg.femur * trig.c2 + leg.tibia * trig.c23;
-    const double b = leg.femur * trig.s2 + leg.tibia * trig.s23;
+    const double a = leg.femur * trig.c[1] + leg.tibia * trig.c[2];
+    const double b = leg.femur * trig.s[1] + leg.tibia * trig.s[2];
     const double lever = std::abs(leg.coxa + a);
     if (std::hypot(a, b) > leg.max_reach || lever < 1e-3) continue;
 
     const LegSolution solution = inverse_kinematics(leg, foot_position(leg, trig));
     EXPECT_TRUE(solution.reachable);
-    EXPECT_LT(distance(solution.q, q), 2e-14 + 2e-15 / lever);
+    EXPECT_LT(distance(solution.q.head<3>(), q.head<3>()), 2e-14 + 2e-15 / lever);
     ++solved;
   }
   EXPECT_GT(solved, 1500);
@@ -248,7 +249,7 @@ TEST(InverseKinematics, TakesYawZeroOnTheYawAxis) {
   const LegSolution solution = inverse_kinematics(plain_leg(), {-1e-13, 1e-14, -0.4});
   EXPECT_TRUE(solution.reachable);
   EXPECT_EQ(solution.q[0], 0.0);
-  EXPECT_EQ(solution.trig.c1, 1.0);
+  EXPECT_EQ(solution.trig.c[0], 1.0);
 }
 
 // On the line from the hip-pitch axis (0.1, 0, 0) to the target, at 0.96 · 0.7 m.
@@ -295,8 +296,8 @@ TEST(InverseKinematics, KeepsTheKneeUp) {
   for (int k = 0; k < 500; ++k) {
     const Vector3 p(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
     const LegSolution s = inverse_kinematics(leg, p);
-    const Vector2 knee(leg.femur * s.trig.c2, -leg.femur * s.trig.s2);
-    const Vector2 foot = knee + Vector2(leg.tibia * s.trig.c23, -leg.tibia * s.trig.s23);
+    const Vector2 knee(leg.femur * s.trig.c[1], -leg.femur * s.trig.s[1]);
+    const Vector2 foot = knee + Vector2(leg.tibia * s.trig.c[2], -leg.tibia * s.trig.s[2]);
     EXPECT_GT(cross(foot, knee), 0.0);
   }
 }
@@ -314,16 +315,16 @@ TEST(InverseKinematics, OfTheMirroredLegMirrorsYaw) {
     const LegSolution l = inverse_kinematics(left, p);
     const LegSolution r = inverse_kinematics(right, {p.x(), -p.y(), p.z()});
     EXPECT_EQ(l.reachable, r.reachable);
-    EXPECT_EQ(LegJoints(-l.q[0], l.q[1], l.q[2]), r.q);
+    EXPECT_EQ(leg_joints({-l.q[0], l.q[1], l.q[2]}), r.q);
   }
 }
 
 TEST(WithinLimits, AllowsRoundingOnly) {
   const LegModel leg = plain_leg();
-  EXPECT_TRUE(within_limits(leg, {1.2 + 0.9e-9, -1.8 - 0.9e-9, 2.6}));
-  EXPECT_FALSE(within_limits(leg, {1.2 + 1.1e-9, 0.0, 1.0}));
-  EXPECT_FALSE(within_limits(leg, {0.0, -1.8 - 1.1e-9, 1.0}));
-  EXPECT_FALSE(within_limits(leg, {0.0, 0.0, 0.09}));
+  EXPECT_TRUE(within_limits(leg, leg_joints({1.2 + 0.9e-9, -1.8 - 0.9e-9, 2.6})));
+  EXPECT_FALSE(within_limits(leg, leg_joints({1.2 + 1.1e-9, 0.0, 1.0})));
+  EXPECT_FALSE(within_limits(leg, leg_joints({0.0, -1.8 - 1.1e-9, 1.0})));
+  EXPECT_FALSE(within_limits(leg, leg_joints({0.0, 0.0, 0.09})));
 }
 
 }  // namespace

@@ -2,15 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cassert>
 #include <cstdint>
+#include <initializer_list>
 
 namespace hexagait {
 
 /// Largest number of legs a robot may have. Per-leg storage is inline up to this count.
 inline constexpr int kMaxLegs = 12;
+
+/// Fewest and most joints that a leg may have. Legs of one robot may differ.
+inline constexpr int kMinLegJoints = 3;
+inline constexpr int kMaxLegJoints = 6;
 
 /// Index of a leg, 0 … n − 1. Even indices are left legs, odd ones right legs, pairs count from the
 /// front: for six legs 0 … 5 = LF RF LM RM LR RR, which are legs 1 … 6 of [PC04] Fig. 2.
@@ -44,24 +50,32 @@ class LegSet {
   std::uint32_t bits_ = 0;
 };
 
-/// One value per leg, stored inline. The number of legs is a property of the robot, set once.
-template <class T>
-class LegArray {
+/// Up to kCapacity values, stored inline, by index from 0.
+template <class T, int kCapacity>
+class InlineArray {
  public:
-  LegArray() = default;
-  explicit LegArray(int n) : size_(n) { assert(0 <= n && n <= kMaxLegs); }
-  LegArray(int n, const T& value) : LegArray(n) { values_.fill(value); }
+  InlineArray() = default;
+  explicit InlineArray(int n) : size_(n) { assert(0 <= n && n <= kCapacity); }
+  InlineArray(int n, const T& value) : InlineArray(n) { values_.fill(value); }
+
+  InlineArray& operator=(std::initializer_list<T> values) {
+    size_ = static_cast<int>(values.size());
+    assert(size_ <= kCapacity);
+    std::copy(values.begin(), values.end(), values_.begin());
+    return *this;
+  }
 
   int size() const { return size_; }
 
-  T& operator[](LegId leg) {
-    assert(0 <= leg && leg < size_);
-    return values_[static_cast<std::size_t>(leg)];
+  T& operator[](int index) {
+    assert(0 <= index && index < size_);
+    return values_[static_cast<std::size_t>(index)];
   }
-  const T& operator[](LegId leg) const {
-    assert(0 <= leg && leg < size_);
-    return values_[static_cast<std::size_t>(leg)];
+  const T& operator[](int index) const {
+    assert(0 <= index && index < size_);
+    return values_[static_cast<std::size_t>(index)];
   }
+  const T& back() const { return (*this)[size_ - 1]; }
 
   T* begin() { return values_.data(); }
   T* end() { return values_.data() + size_; }
@@ -69,8 +83,16 @@ class LegArray {
   const T* end() const { return values_.data() + size_; }
 
  private:
-  std::array<T, kMaxLegs> values_{};
+  std::array<T, kCapacity> values_{};
   int size_ = 0;
 };
+
+/// One value per leg. The number of legs is a property of the robot, set once.
+template <class T>
+using LegArray = InlineArray<T, kMaxLegs>;
+
+/// One value per joint of a leg, hip to foot.
+template <class T>
+using JointArray = InlineArray<T, kMaxLegJoints>;
 
 }  // namespace hexagait

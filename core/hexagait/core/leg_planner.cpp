@@ -100,7 +100,7 @@ JointState start_of_joints(LegId leg, const StepStart& start) {
 
 // Without positions, those to which the velocities lead in this time; without these, the present.
 JointKnot completed(JointKnot knot, const JointState& from, double duration) {
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < kMaxLegJoints; ++k) {
     if (!std::isnan(knot.q[k])) continue;
     const double mean = std::isnan(knot.qd[k]) ? 0.0 : 0.5 * (from.qd[k] + knot.qd[k]);
     knot.q[k] = from.q[k] + mean * duration;

@@ -26,36 +26,28 @@ std::string leg_name(const SerialChain& chain) {
   return last == std::string::npos ? first : name.substr(0, last + 1);
 }
 
-bool is_serial_leg(const SerialChain& chain, const std::string& element, Violations& violations) {
-  if (chain.joints.size() != 3)
-    violations.add(element, "has " + std::to_string(chain.joints.size()) +
-                                " movable joints; a leg has three: yaw, hip pitch, knee pitch");
+bool is_leg(const SerialChain& chain, const std::string& element, Violations& violations) {
+  const int joints = static_cast<int>(chain.joints.size());
+  const bool right_number = kMinLegJoints <= joints && joints <= kMaxLegJoints;
+  if (!right_number)
+    violations.add(element, "has " + std::to_string(joints) + " movable joints; a leg has " +
+                                std::to_string(kMinLegJoints) + " to " +
+                                std::to_string(kMaxLegJoints));
   if (!chain.foot)
     violations.add("link " + chain.links.back().name,
                    "has no collision sphere; a leg ends in a spherical foot");
-  return chain.joints.size() == 3 && chain.foot;
+  const auto has_axis = [](const TreeJoint& joint) { return !joint.axis_B0.isZero(); };
+  // That an axis is none is known since it was read.
+  return right_number && chain.foot && std::ranges::all_of(chain.joints, has_axis);
 }
 
-/// Checks the directions of the three axes.
-bool has_leg_axes(const SerialChain& chain, Violations& violations) {
-  const TreeJoint &yaw = chain.joints[0], &hip = chain.joints[1], &knee = chain.joints[2];
-  for (const TreeJoint& joint : chain.joints)
-    if (joint.axis_B0.isZero()) return false;  // known since it was read
-
-  const double tilt = misalignment(yaw.axis_B0, Vector3::UnitZ());
-  const double slope = std::abs(hip.axis_B0.z());
-  const double skew = misalignment(hip.axis_B0, knee.axis_B0);
-  if (!(tilt < kTolerance))
-    violations.add("joint " + yaw.name, "axis is " + in_words(std::asin(std::min(tilt, 1.0))) +
-                                            " rad off the vertical; a leg begins with a yaw joint");
-  if (!(slope < kTolerance))
-    violations.add("joint " + hip.name, "axis is " + in_words(std::asin(std::min(slope, 1.0))) +
-                                            " rad off the horizontal; the hip pitches");
-  if (!(skew < kTolerance))
-    violations.add("joint " + knee.name, "axis is " + in_words(std::asin(std::min(skew, 1.0))) +
-                                             " rad off that of " + hip.name +
-                                             "; hip and knee axes are parallel");
-  return tilt < kTolerance && slope < kTolerance && skew < kTolerance;
+/// Three joints, and the directions of their axes are those of yaw, pitch, pitch.
+bool has_yaw_pitch_pitch_axes(const SerialChain& chain) {
+  if (chain.joints.size() != 3) return false;
+  const Vector3 &yaw = chain.joints[0].axis_B0, &hip = chain.joints[1].axis_B0,
+                &knee = chain.joints[2].axis_B0;
+  return misalignment(yaw, Vector3::UnitZ()) < kTolerance && std::abs(hip.z()) < kTolerance &&
+         misalignment(hip, knee) < kTolerance;
 }
 
 /// x_H: horizontal, normal to the pitch axis, outwards.
@@ -97,41 +89,60 @@ void derive_geometry(const SerialChain& chain, LegModel& leg) {
   leg.joint_offset = {0.0, femur_pitch, wrap_angle(tibia_pitch - femur_pitch)};
 }
 
-bool has_leg_shape(const LegModel& leg, Violations& violations) {
+bool has_yaw_pitch_pitch_shape(const LegModel& leg) {
   const double off_plane = (leg.X_BH.inverse() * leg.p_BF0).y();
-  if (!(std::abs(off_plane) < kTolerance))
-    violations.add("leg " + leg.name, "foot is " + in_words(off_plane) +
-                                          " m off the vertical plane of yaw axis and leg; it must "
-                                          "lie in it");
-  if (!(leg.femur > kTolerance))
-    violations.add("link " + leg.links[1].name,
-                   "femur has length " + in_words(leg.femur) +
-                       " m between the pitch axes; it must be positive");
-  if (!(leg.tibia > kTolerance))
-    violations.add("link " + leg.links[2].name, "tibia has length " + in_words(leg.tibia) +
-                                                    " m from knee to foot; it must be positive");
   return std::abs(off_plane) < kTolerance && leg.femur > kTolerance && leg.tibia > kTolerance;
+}
+
+/// The hip frame of any other leg.
+Pose serial_hip(const LegModel& leg) {
+  const Vector3 p_BH =
+      nearest_points(leg.p_BJ0[0], leg.axis_B0[0], leg.p_BJ0[1], leg.axis_B0[1]).on_first;
+  Vector3 x = leg.p_BF0 - p_BH;
+  x.z() = 0.0;
+  // A leg that hangs straight down, or one whose foot is in front of its hip, stands to its side.
+  const bool lies_flat = std::abs(leg.axis_B0[0].z()) < 0.7;
+  if (lies_flat || x.norm() < kTolerance) x = Vector3(0.0, p_BH.y() < 0.0 ? -1.0 : 1.0, 0.0);
+  x.normalize();
+  Pose X_BH;
+  X_BH.R << x, Vector3::UnitZ().cross(x), Vector3::UnitZ();
+  X_BH.p = p_BH;
+  return X_BH;
+}
+
+LegModel with_joints_of(const SerialChain& chain) {
+  LegModel leg;
+  leg.name = leg_name(chain);
+  const int n = static_cast<int>(chain.joints.size());
+  leg.joint_names = JointArray<std::string>(n);
+  leg.limits = JointArray<JointLimits>(n);
+  leg.links = JointArray<LinkModel>(n);
+  leg.p_BJ0 = leg.axis_B0 = JointArray<Vector3>(n);
+  for (int i = 0; i < n; ++i) {
+    const TreeJoint& joint = chain.joints[static_cast<std::size_t>(i)];
+    leg.joint_names[i] = joint.name;
+    leg.limits[i] = joint.limits;
+    leg.links[i] = chain.links[static_cast<std::size_t>(i)];
+    leg.p_BJ0[i] = joint.p_BJ0;
+    leg.axis_B0[i] = joint.axis_B0;
+  }
+  leg.p_BF0 = chain.foot->p_BF0;
+  return leg;
 }
 
 }  // namespace
 
 std::optional<LegModel> recognise_leg(const SerialChain& chain, Violations& violations) {
-  LegModel leg;
-  leg.name = leg_name(chain);
-  if (!is_serial_leg(chain, "leg " + leg.name, violations)) return std::nullopt;
-  if (!has_leg_axes(chain, violations)) return std::nullopt;
-
-  for (std::size_t i = 0; i < 3; ++i) {
-    leg.joint_names[i] = chain.joints[i].name;
-    leg.limits[i] = chain.joints[i].limits;
-    leg.links[i] = chain.links[i];
-    leg.p_BJ0[i] = chain.joints[i].p_BJ0;
-    leg.axis_B0[i] = chain.joints[i].axis_B0;
+  if (!is_leg(chain, "leg " + leg_name(chain), violations)) return std::nullopt;
+  LegModel leg = with_joints_of(chain);
+  if (has_yaw_pitch_pitch_axes(chain)) {
+    derive_geometry(chain, leg);
+    if (has_yaw_pitch_pitch_shape(leg)) return leg;
   }
-  leg.p_BF0 = chain.foot->p_BF0;
-  derive_geometry(chain, leg);
-  if (!has_leg_shape(leg, violations)) return std::nullopt;
-  return leg;
+  LegModel serial = with_joints_of(chain);
+  serial.kind = LegKind::serial;
+  serial.X_BH = serial_hip(serial);
+  return serial;
 }
 
 }  // namespace hexagait

@@ -177,15 +177,20 @@ TEST(RecogniseLeg, TakesOutwardsFromTheCoxaElseFromTheFootElseFromTheBody) {
   EXPECT_EQ(outward_direction(chain_of({1, 0, 0}, {1, 0, 0}, {0, 0, 1}, {1, 0, -1})), out);
 }
 
+LegKind kind_of(const SerialChain& chain) {
+  Violations violations("chain");
+  const std::optional<LegModel> leg = recognise_leg(chain, violations);
+  EXPECT_TRUE(violations.empty());
+  EXPECT_TRUE(leg.has_value());
+  return leg ? leg->kind : LegKind{};
+}
+
 // Within 1e-4: what a file with four decimals can say.
-TEST(RecogniseLeg, ForgivesSmallErrorsOnly) {
+TEST(RecogniseLeg, TakesALegForYawPitchPitchIfItsErrorsAreSmall) {
   const auto recognised = [](int joint, const Vector3& axis, double foot_y) {
     SerialChain chain = chain_of({1, 0, 0}, {1.1, 0, 0}, {1.3, 0, 0}, {1.6, foot_y, 0});
     chain.joints[static_cast<std::size_t>(joint)].axis_B0 = axis.normalized();
-    Violations violations("chain");
-    const bool found = recognise_leg(chain, violations).has_value();
-    EXPECT_EQ(found, violations.empty());
-    return found;
+    return kind_of(chain) == LegKind::yaw_pitch_pitch;
   };
   EXPECT_TRUE(recognised(0, {0.9e-4, 0, 1}, 0.9e-4));
   EXPECT_TRUE(recognised(1, {0, 1, 0.9e-4}, 0.0));
@@ -199,8 +204,49 @@ TEST(RecogniseLeg, ForgivesSmallErrorsOnly) {
 TEST(RecogniseLeg, WantsLevelPitchAxesNotJustParallelOnes) {
   SerialChain chain = chain_of({1, 0, 0}, {1.1, 0, 0}, {1.3, 0, 0}, {1.6, 0, 0});
   chain.joints[1].axis_B0 = chain.joints[2].axis_B0 = Vector3(0, 1, 0.1).normalized();
-  Violations violations("chain");
-  EXPECT_FALSE(recognise_leg(chain, violations).has_value());
+  EXPECT_EQ(kind_of(chain), LegKind::serial);
+}
+
+/// As many joints about x, y, z, x, … as asked for, one under the other.
+SerialChain chain_of(int joints) {
+  SerialChain chain;
+  for (int i = 0; i < joints; ++i)
+    chain.joints.push_back({std::string(1, static_cast<char>('a' + i)),
+                            {0.0, 0.2, -0.1 * i},
+                            Vector3::Unit(i % 3),
+                            {}});
+  chain.links.resize(static_cast<std::size_t>(joints));
+  chain.foot = {Vector3(0.0, 0.2, -0.1 * joints), 0.02};
+  return chain;
+}
+
+TEST(RecogniseLeg, TakesThreeToSixJoints) {
+  for (int joints = 1; joints < 9; ++joints) {
+    Violations violations("chain");
+    const std::optional<LegModel> leg = recognise_leg(chain_of(joints), violations);
+    EXPECT_EQ(leg.has_value(), 3 <= joints && joints <= 6);
+    EXPECT_EQ(violations.empty(), leg.has_value());
+    if (!leg) continue;
+    EXPECT_EQ(leg->num_joints(), joints);
+    EXPECT_EQ(leg->links.size(), joints);
+  }
+}
+
+// Roll about x through (0, 0.2, 0), pitch about y through (0, 0.2, −0.1): they are nearest at the
+// former. A leg that hangs down stands to the side of its hip.
+TEST(RecogniseLeg, HasTheHipOfASerialLegWhereItsFirstTwoAxesAreNearest) {
+  for (const double side : {1.0, -1.0}) {
+    SerialChain chain = chain_of(4);
+    for (TreeJoint& joint : chain.joints) joint.p_BJ0 += Vector3(0.7, 0.0, 0.0) * joint.axis_B0.x();
+    for (TreeJoint& joint : chain.joints) joint.p_BJ0.y() *= side;
+    chain.foot->p_BF0.y() *= side;
+    Violations violations("chain");
+    const std::optional<LegModel> leg = recognise_leg(chain, violations);
+    ASSERT_TRUE(leg.has_value());
+    EXPECT_LT(distance(leg->X_BH.p, {0.0, 0.2 * side, 0.0}), 1e-15);
+    EXPECT_LT(distance(leg->X_BH.R.col(0), {0.0, side, 0.0}), 1e-15);
+    EXPECT_LT(distance(leg->X_BH.R.col(2), {0.0, 0.0, 1.0}), 1e-15);
+  }
 }
 
 }  // namespace

@@ -194,8 +194,8 @@ TEST(LoadAction, ReadsJointTargetsFromHipToFoot) {
   const auto command = leg_command<JointTarget>(
       "joint_target: {name: LF, position: [0.1, deg(180), -0.3], effort: [1, 2, 3], "
       "average_velocity: deg(90)}");
-  EXPECT_EQ(command.target.q, Vector3(0.1, std::numbers::pi, -0.3));
-  EXPECT_EQ(command.target.effort, Vector3(1, 2, 3));
+  EXPECT_EQ(command.target.q, leg_joints({0.1, std::numbers::pi, -0.3}));
+  EXPECT_EQ(command.target.effort, leg_joints({1, 2, 3}));
   EXPECT_TRUE(std::isnan(command.target.qd[0]) && std::isnan(command.target.qdd[2]));
   EXPECT_EQ(command.average_velocity, std::numbers::pi / 2.0);
 }
@@ -204,8 +204,8 @@ TEST(LoadAction, PutsJointsWhereTheirNamesSay) {
   const auto target = leg_command<JointTarget>(
       "joint_target: {name: LF, target: {joint_names: [LF_knee, LF_yaw, LF_hip], "
       "positions: [0.3, 0.1, 0.2], velocities: [3, 1, 2]}}");
-  EXPECT_EQ(target.target.q, Vector3(0.1, 0.2, 0.3));
-  EXPECT_EQ(target.target.qd, Vector3(1, 2, 3));
+  EXPECT_EQ(target.target.q, leg_joints({0.1, 0.2, 0.3}));
+  EXPECT_EQ(target.target.qd, leg_joints({1, 2, 3}));
   const auto trajectory = leg_command<JointTrajectory>(
       "joint_trajectory: {name: RM_LEG, trajectory: {joint_names: [RM_hip, RM_knee, RM_yaw], "
       "knots: [{time: 0.5, positions: [2, 3, 1], velocities: [5, 6, 4], "
@@ -213,10 +213,10 @@ TEST(LoadAction, PutsJointsWhereTheirNamesSay) {
   ASSERT_EQ(trajectory.knots.size(), 1U);
   EXPECT_EQ(trajectory.leg, 3);
   EXPECT_EQ(trajectory.knots[0].time, 0.5);
-  EXPECT_EQ(trajectory.knots[0].q, Vector3(1, 2, 3));
-  EXPECT_EQ(trajectory.knots[0].qd, Vector3(4, 5, 6));
-  EXPECT_EQ(trajectory.knots[0].qdd, Vector3(7, 8, 9));
-  EXPECT_EQ(trajectory.knots[0].effort, Vector3(10, 11, 12));
+  EXPECT_EQ(trajectory.knots[0].q, leg_joints({1, 2, 3}));
+  EXPECT_EQ(trajectory.knots[0].qd, leg_joints({4, 5, 6}));
+  EXPECT_EQ(trajectory.knots[0].qdd, leg_joints({7, 8, 9}));
+  EXPECT_EQ(trajectory.knots[0].effort, leg_joints({10, 11, 12}));
 }
 
 // R = Rz(yaw) Ry(pitch) Rx(roll): read back by its inverse. A quarter turn about z is the

@@ -21,14 +21,17 @@ const char* to_string(Fault fault) noexcept {
   return "?";
 }
 
-bool valid(const Measurement& measurement, int num_legs) noexcept {
+bool valid(const Measurement& measurement, const RobotModel& model) noexcept {
+  const int n = model.num_legs();
+  if (measurement.q.size() != n || measurement.contact.size() != n) return false;
   bool finite = std::isfinite(measurement.time);
-  for (const LegJoints& q : measurement.q) finite = finite && q.allFinite();
-  return finite && measurement.q.size() == num_legs && measurement.contact.size() == num_legs;
+  for (LegId i = 0; i < n; ++i)
+    finite = finite && measurement.q[i].head(model.legs[i].num_joints()).allFinite();
+  return finite;
 }
 
-bool PlantWatch::accepts(PlantStatus status, const Measurement& measurement, int num_legs,
-                         double dt, double late_limit) noexcept {
+bool PlantWatch::accepts(PlantStatus status, const Measurement& measurement,
+                         const RobotModel& model, double dt, double late_limit) noexcept {
   if (fault_ != Fault::none) return false;
   if (status == PlantStatus::late) {
     holding_ = true;
@@ -38,7 +41,7 @@ bool PlantWatch::accepts(PlantStatus status, const Measurement& measurement, int
   }
   if (status == PlantStatus::closed)
     stop(Fault::plant_closed);
-  else if (!valid(measurement, num_legs))
+  else if (!valid(measurement, model))
     stop(Fault::bad_measurement);
   if (fault_ != Fault::none) return false;
   silence_ = 0.0;

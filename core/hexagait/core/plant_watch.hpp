@@ -18,8 +18,8 @@ enum class Fault : std::uint8_t {
 
 [[nodiscard]] const char* to_string(Fault fault) noexcept;
 
-/// Complete and finite?
-[[nodiscard]] bool valid(const Measurement& measurement, int num_legs) noexcept;
+/// Complete, and finite for every joint that there is?
+[[nodiscard]] bool valid(const Measurement& measurement, const RobotModel& model) noexcept;
 
 /// Lets through what a controller may work with: bad input ends here, and nothing behind it ever
 /// sees a number that is not finite.
@@ -27,8 +27,8 @@ class PlantWatch {
  public:
   /// @param late_limit  without a measurement for longer there is a fault [s]
   /// @returns true for a fresh, valid measurement; else the robot is to hold
-  [[nodiscard]] bool accepts(PlantStatus status, const Measurement& measurement, int num_legs,
-                             double dt, double late_limit) noexcept;
+  [[nodiscard]] bool accepts(PlantStatus status, const Measurement& measurement,
+                             const RobotModel& model, double dt, double late_limit) noexcept;
 
   /// The first fault stays.
   void stop(Fault fault) noexcept {

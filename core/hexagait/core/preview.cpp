@@ -79,8 +79,8 @@ class Examiner {
   }
 
   [[nodiscard]] bool too_fast(LegId leg, const JointTargets& targets) const {
-    for (int k = 0; k < 3; ++k) {
-      const double limit = model_.legs[leg].limits[static_cast<std::size_t>(k)].velocity;
+    for (int k = 0; k < model_.legs[leg].num_joints(); ++k) {
+      const double limit = model_.legs[leg].limits[k].velocity;
       if (std::abs(targets.qd[leg][k]) > kAtLimit * limit) return true;
     }
     return false;

@@ -27,7 +27,7 @@ void expect_reached(const LegModel& leg, const Vector3& p_BF) {
   EXPECT_TRUE(solution.reachable) << leg.name << ' ' << p_BF.transpose();
   EXPECT_LT((foot_position(leg, solution.q) - p_BF).norm(), 1e-9);
   for (int i = 0; i < 3; ++i) {
-    const JointLimits& limits = leg.limits[static_cast<std::size_t>(i)];
+    const JointLimits& limits = leg.limits[i];
     EXPECT_GT(std::min(solution.q[i] - limits.lower, limits.upper - solution.q[i]), 0.05)
         << leg.name << " joint " << i << ' ' << p_BF.transpose();
   }

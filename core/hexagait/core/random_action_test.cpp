@@ -149,14 +149,19 @@ class Writer {
     return trajectory;
   }
 
+  LegJoints joints(double size) {
+    const Vector3 v = vector(size);
+    return leg_joints({v.x(), v.y(), v.z()});
+  }
+
   // Positions, velocities or efforts, or any of them for some of the joints.
   JointKnot joint_knot(LegId leg) {
     JointKnot knot;
     const LegJoints q = inverse_kinematics(model_.legs[leg], model_.legs[leg].p_BC).q;
     const int given = command_.seed % 8;
-    if (given == 0 || given & 1) knot.q = q + vector(0.3);
-    if (given & 2) knot.qd = vector(0.5);
-    if (given & 4) knot.effort = vector(20.0);
+    if (given == 0 || given & 1) knot.q = q + joints(0.3);
+    if (given & 2) knot.qd = joints(0.5);
+    if (given & 4) knot.effort = joints(20.0);
     if (given == 7) knot.q[command_.seed % 3] = knot.qd[2] = JointKnot::kNone;
     return knot;
   }
@@ -327,7 +332,7 @@ class Play {
   void judge_joints(const JointTargets& before, const JointTargets& now) const {
     for (LegId i = 0; i < model_.num_legs(); ++i)
       for (int k = 0; k < 3 && before.mode[i] == now.mode[i]; ++k) {
-        const double velocity = model_.legs[i].limits[static_cast<std::size_t>(k)].velocity;
+        const double velocity = model_.legs[i].limits[k].velocity;
         RC_ASSERT(std::abs(now.q[i][k] - before.q[i][k]) <= velocity * robot_.dt() * (1.0 + 1e-9));
       }
   }

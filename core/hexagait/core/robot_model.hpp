@@ -2,18 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
+#include <algorithm>
+#include <cassert>
+#include <cstdint>
 #include <hexagait/core/geometry.hpp>
 #include <hexagait/core/leg.hpp>
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace hexagait {
 
-/// Joint values of one leg, hip to foot: yaw, hip pitch, knee pitch, in the robot's own signs and
-/// zeros (those of its URDF) [rad], [rad/s] or [N m].
-using LegJoints = Vector3;
+/// Joint values of one leg, hip to foot, in the robot's own signs and zeros (those of its URDF)
+/// [rad], [rad/s] or [N m]. A leg of fewer joints leaves the last entries 0; these play no part.
+using LegJoints = Eigen::Vector<double, kMaxLegJoints>;
+
+/// ∂p/∂q of a point of a leg [m/rad]; columns of joints that it doesn't have are 0.
+using LegJacobian = Eigen::Matrix<double, 3, kMaxLegJoints>;
+
+/// Joint values from a list, hip to foot; 0 for the rest.
+[[nodiscard]] inline LegJoints leg_joints(std::initializer_list<double> values) {
+  assert(static_cast<int>(values.size()) <= kMaxLegJoints);
+  LegJoints joints = LegJoints::Zero();
+  std::copy(values.begin(), values.end(), joints.data());
+  return joints;
+}
 
 struct JointLimits {
   double lower = -std::numbers::pi;  ///< [rad]
@@ -40,32 +54,50 @@ struct LinkModel {
   Pose X_BL0;
 };
 
-/// A yaw-pitch-pitch leg. The hip frame H stands on the yaw axis at the height of the hip-pitch
-/// axis, z up, x outwards along the leg at canonical yaw 0. In H, with canonical angles k, of which
+/// How a leg's kinematics are computed.
+enum class LegKind : std::uint8_t {
+  yaw_pitch_pitch,  ///< three joints, in closed form: yaw_pitch_pitch.hpp
+  serial,           ///< 3 to 6 joints about any axes, by iteration: serial_leg.hpp
+};
+
+/// A leg: a chain of revolute joints that ends in a spherical foot.
+///
+/// Yaw-pitch-pitch: the hip frame H stands on the yaw axis at the height of the hip-pitch axis, z
+/// up, x outwards along the leg at canonical yaw 0. In H, with canonical angles k, of which
 /// positive pitch turns the leg downwards:
 ///
 ///     foot = Rz(k₁) · (coxa + femur cos k₂ + tibia cos(k₂+k₃), 0, −femur sin k₂ − tibia
 ///     sin(k₂+k₃))
 ///
-/// The robot's own joint values q follow by k = sign · q + offset. How all this is derived from the
-/// URDF: recognise_leg(); the workspace: leg_reach(), nominal_foot(), reachable_radius().
+/// The robot's own joint values q follow by k = sign · q + offset.
+///
+/// Serial: H stands where the first axis is nearest to the second, z up, x outwards; the lengths,
+/// signs and offsets aren't used.
+///
+/// How all this is derived from the URDF: recognise_leg(); the workspace: leg_reach(),
+/// nominal_foot(), reachable_radius(), take_serial_stance().
 struct LegModel {
   std::string name;
-  std::array<std::string, 3> joint_names;
+  LegKind kind = LegKind::yaw_pitch_pitch;
   Pose X_BH;                                    ///< hip frame in the body frame
   double coxa = 0.0, femur = 0.0, tibia = 0.0;  ///< link lengths; tibia to the foot's centre [m]
   Vector3 joint_sign = Vector3::Ones();         ///< ±1
   Vector3 joint_offset = Vector3::Zero();       ///< [rad]; that of yaw is 0
-  std::array<JointLimits, 3> limits;            ///< of q
-  std::array<LinkModel, 3> links;               ///< coxa, femur, tibia (foot included)
-  std::array<Vector3, 3> p_BJ0;                 ///< a point on each joint axis, all joints zero [m]
-  std::array<Vector3, 3> axis_B0;               ///< joint axes, all joints zero, unit vectors
-  Vector3 p_BF0 = Vector3::Zero();              ///< foot centre, all joints zero [m]
+
+  JointArray<std::string> joint_names{3};
+  JointArray<JointLimits> limits{3};  ///< of q
+  JointArray<LinkModel> links{3};     ///< each is moved by its joint; the last one has the foot
+  JointArray<Vector3> p_BJ0{3};       ///< a point on each joint axis, all joints zero [m]
+  JointArray<Vector3> axis_B0{3};     ///< joint axes, all joints zero, unit vectors
+  Vector3 p_BF0 = Vector3::Zero();    ///< foot centre, all joints zero [m]
 
   Vector3 p_BC = Vector3::Zero();  ///< workspace centre: the foot centre of the nominal stance [m]
-  double workspace_radius = 0.0;   ///< horizontal disc about p_BC that the foot may use [m]
-  double min_reach = 0.0;          ///< hip-pitch axis to foot centre [m]
-  double max_reach = 0.0;          ///< [m]
+  LegJoints q_nominal = LegJoints::Zero();  ///< serial: joints of the nominal stance [rad]
+  double workspace_radius = 0.0;  ///< horizontal disc about p_BC that the foot may use [m]
+  /// Foot centre from the hip-pitch axis; of a serial leg from the hip [m].
+  double min_reach = 0.0, max_reach = 0.0;
+
+  int num_joints() const { return limits.size(); }
 };
 
 /// A legged robot. Body frame B: x forward, y left, z up, origin at the base link.
@@ -90,11 +122,11 @@ class InvalidInput : public std::runtime_error {
 };
 
 /// Loads a robot from a URDF file.
-/// Recognised: a root link with an even number (4 to 12) of serial chains of three revolute or
-/// continuous joints, yaw-pitch-pitch, ending in a spherical foot: the collision sphere of the last
-/// link that is farthest from the knee. All feet have one radius. Links on fixed joints are merged
-/// into what they are fixed to; a merged link needs mass and inertia. Collision meshes are left
-/// out. Legs are put in LegId order by where their hips are, as many left as right.
+/// Recognised: a root link with an even number (4 to 12) of serial chains of 3 to 6 revolute or
+/// continuous joints about any axes, ending in a spherical foot: the collision sphere of the last
+/// link that is farthest from the last joint. All feet have one radius. Links on fixed joints are
+/// merged into what they are fixed to; a merged link needs mass and inertia. Collision meshes are
+/// left out. Legs are put in LegId order by where their hips are, as many left as right.
 /// @throws InvalidInput  if the file is missing, not XML or not such a robot, if a number is none
 /// or
 ///                       a limit or a mass impossible, or if the nominal stance is out of limits

@@ -191,7 +191,46 @@ struct Clear {
     f[static_cast<std::size_t>(leg)] = now;
     radius[static_cast<std::size_t>(leg)] = new_radius;
   }
+
+  /// Where a serial leg was last seen to end: it reached `reached`, outwards of which is `normal`.
+  struct End {
+    Vector3 normal = Vector3::Zero(), reached = Vector3::Zero();
+  };
+  std::array<End, kMaxLegs> ends;
 };
+
+// What a serial leg allows: the reach and, where it was seen to end, the plane across what was
+// missing. Whatever ends it, limits or a straight leg, the minimum is found from one plane to the
+// next.
+void add_serial_leg(Rows& rows, const Stance& stance, const Iterate& at, LegId i, Clear& clear) {
+  const LegModel& leg = stance.model.legs[i];
+  const Vector3 f = stance.foot(at, i), p_BF = f + stance.model.p_BM;
+  const LegSolution solution = inverse_kinematics(leg, p_BF);
+  const int rows_before = rows.program.size;
+
+  const double d = (p_BF - leg.X_BH.p).norm();
+  if (d > 0.0) {
+    const Vector3 stretch_B = (p_BF - leg.X_BH.p) / d;
+    rows.add_limit(stretch_B, f, leg.max_reach - kReachClearance - d, i);
+    rows.add_limit(-stretch_B, f, d - leg.min_reach - kReachClearance, i);
+  }
+  Clear::End& end = clear.ends[static_cast<std::size_t>(i)];
+  const Vector3 reached = foot_position(leg, solution.trig) - stance.model.p_BM;
+  if (!solution.reachable) end = {(f - reached).normalized(), reached};
+  if (!end.normal.isZero())
+    rows.add_limit(end.normal, f, end.normal.dot(end.reached - f) - kReachClearance, i);
+
+  // How fast joints turn as the foot moves, and how far they may.
+  double room = kNear;
+  for (int k = 0; k < leg.num_joints(); ++k)
+    room =
+        std::min({room, solution.q[k] - leg.limits[k].lower, leg.limits[k].upper - solution.q[k]});
+  const LegJacobian J = foot_jacobian(leg, solution.trig);
+  const Matrix3 JJ = J * J.transpose() + 1e-12 * Matrix3::Identity();
+  const double rate = std::max(1.0, std::sqrt(JJ.inverse().trace()));
+  const bool is_clear = solution.reachable && room >= kNear && rows.program.size == rows_before;
+  clear.note(i, f, is_clear ? 0.5 * kNear / rate : 0.0);
+}
 
 // What one leg allows: the reach, and yaw and hip, whose change with the foot is the inverse of
 // foot_jacobian()'s, row by row. From where inverse_kinematics() gets to, if that is not the foot.
@@ -199,13 +238,14 @@ void add_leg(Rows& rows, const Stance& stance, const Iterate& at, LegId i, Clear
   const LegModel& leg = stance.model.legs[i];
   const Vector3 f = stance.foot(at, i);
   if (clear.still(i, f)) return;
+  if (leg.kind == LegKind::serial) return add_serial_leg(rows, stance, at, i, clear);
   const int rows_before = rows.program.size;
   const LegSolution solution = inverse_kinematics(leg, f + stance.model.p_BM);
   const LegTrig& t = solution.trig;
   const Vector3 p_H = leg.X_BH.R.transpose() * (f + stance.model.p_BM - leg.X_BH.p);
 
   // The foot in the leg's plane, and beside it.
-  const Vector3 out_H(t.c1, t.s1, 0.0), left_H(-t.s1, t.c1, 0.0);
+  const Vector3 out_H(t.c[0], t.s[0], 0.0), left_H(-t.s[0], t.c[0], 0.0);
   const double r = out_H.dot(p_H), a = r - leg.coxa;
   const double d = std::sqrt(a * a + p_H.z() * p_H.z());
   if (d > 0.0) {
@@ -215,7 +255,7 @@ void add_leg(Rows& rows, const Stance& stance, const Iterate& at, LegId i, Clear
   }
 
   const auto add_joint = [&](int joint, const Vector3& turn_H, double excess) {
-    const JointLimits& limits = leg.limits[static_cast<std::size_t>(joint)];
+    const JointLimits& limits = leg.limits[joint];
     if (limits.upper - limits.lower >= 2.0 * std::numbers::pi - 1e-9) return;
     const double sign = leg.joint_sign[joint], q = solution.q[joint] + sign * excess;
     const Vector3 turn_B = sign * (leg.X_BH.R * turn_H);
@@ -223,8 +263,8 @@ void add_leg(Rows& rows, const Stance& stance, const Iterate& at, LegId i, Clear
     rows.add_limit(-turn_B, f, q - limits.lower - kJointClearance, i);
   };
   if (std::abs(r) > kReachClearance) add_joint(0, left_H / r, left_H.dot(p_H) / r);
-  const double shin_r = leg.tibia * t.c23, shin_h = -leg.tibia * t.s23;
-  const double reached_a = leg.femur * t.c2 + shin_r, reached_h = -leg.femur * t.s2 + shin_h;
+  const double shin_r = leg.tibia * t.c[2], shin_h = -leg.tibia * t.s[2];
+  const double reached_a = leg.femur * t.c[1] + shin_r, reached_h = -leg.femur * t.s[1] + shin_h;
   const double det = shin_h * reached_a - reached_h * shin_r;
   if (std::abs(det) < 1e-9) return;
   const Vector3 turn_H = (-shin_r / det) * out_H + (-shin_h / det) * Vector3::UnitZ();

@@ -298,9 +298,9 @@ TEST(StancePose, IsTheMinimumWithinNarrowJointLimits) {
   RobotModel model = argos();
   for (LegModel& leg : model.legs) {
     const LegJoints q = inverse_kinematics(leg, leg.p_BC).q;
-    for (const std::size_t joint : {0U, 1U}) {
-      leg.limits[joint].lower = q[static_cast<int>(joint)] - 0.15;
-      leg.limits[joint].upper = q[static_cast<int>(joint)] + 0.15;
+    for (const int joint : {0, 1}) {
+      leg.limits[joint].lower = q[joint] - 0.15;
+      leg.limits[joint].upper = q[joint] + 0.15;
     }
   }
   RandomSequence random{.seed = 7};

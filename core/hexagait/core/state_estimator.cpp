@@ -24,16 +24,17 @@ bool planned_contact(const LegLane& lane, const Pose& X_OB) {
 
 RobotState StateEstimator::start(const Measurement& measurement, RestsOn rests_on) {
   const int n = model_->num_legs();
-  if (!valid(measurement, n))
+  if (!valid(measurement, *model_))
     throw InvalidInput("start: the measurement must have a finite position for every joint of " +
                        model_->name);
   RobotState state;
   state.time = measurement.time;
-  state.q = measurement.q;
+  state.q = LegArray<LegJoints>(n);
   state.contact = LegArray<bool>(n, rests_on == RestsOn::feet);
   state.trig = LegArray<LegTrig>(n);
   state.p_BF = LegArray<Vector3>(n);
   for (LegId i = 0; i < n; ++i) {
+    state.q[i] = own_joints(model_->legs[i], measurement.q[i]);
     state.trig[i] = leg_trig(model_->legs[i], state.q[i]);
     state.p_BF[i] = foot_position(model_->legs[i], state.trig[i]);
   }
@@ -45,7 +46,8 @@ void StateEstimator::update(RobotState& state, const Measurement& measurement,
                             const Executor& executor, double dt) noexcept {
   state.time = measurement.time;
   for (LegId i = 0; i < model_->num_legs(); ++i) {
-    state.q[i] = sensors_.joint_feedback ? measurement.q[i] : executor.targets().q[i];
+    state.q[i] = sensors_.joint_feedback ? own_joints(model_->legs[i], measurement.q[i])
+                                         : executor.targets().q[i];
     state.trig[i] = leg_trig(model_->legs[i], state.q[i]);
     state.p_BF[i] = foot_position(model_->legs[i], state.trig[i]);
     state.contact[i] = sensors_.foot_contacts ? measurement.contact[i]

@@ -68,7 +68,7 @@ TEST(Durations, ComeFromRates) {
   EXPECT_NEAR(scene.plan(step({{leg_mode(3, false, 0.3), {}}})).duration, 0.3 + kUnload, 1e-12);
 
   action::JointTarget joints;
-  joints.target.q = scene.state().q[2] + LegJoints(0.1, -0.6, 0.3);
+  joints.target.q = scene.state().q[2] + leg_joints({0.1, -0.6, 0.3});
   joints.leg = 2;
   joints.average_velocity = 0.5;
   EXPECT_NEAR(scene.plan(step({{joints, {}}})).duration, 0.6 / 0.5 + kUnload, 1e-9);
@@ -109,7 +109,7 @@ TEST(JointTarget, ByVelocityGoesOnAllTheTime) {
   action::JointTarget joints;
   joints.leg = 1;
   joints.ignore_contact = true;
-  joints.target.qd = LegJoints(0.2, 0.0, 0.0);
+  joints.target.qd = leg_joints({0.2, 0.0, 0.0});
   const StepPlan& plan = scene.plan(step(base_target(scene.moved(0.1)), {{joints, {}}}));
   EXPECT_EQ(plan.legs[1].mode, ControlMode::velocity);
   const double T = plan.legs[1].duration;

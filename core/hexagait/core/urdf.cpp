@@ -8,6 +8,7 @@
 #include <hexagait/core/leg_recognition.hpp>
 #include <hexagait/core/leg_weight.hpp>
 #include <hexagait/core/robot_tree.hpp>
+#include <hexagait/core/serial_stance.hpp>
 #include <hexagait/core/workspace.hpp>
 #include <sstream>
 
@@ -76,6 +77,7 @@ LegArray<LegModel> recognise_legs(const RobotTree& tree, Violations& violations)
 
 /// Adds the workspace to a recognised leg.
 void derive_workspace(LegModel& leg, Violations& violations) {
+  if (leg.kind == LegKind::serial) return take_serial_stance(leg, violations);
   const Reach reach = leg_reach(leg);
   if (!(reach.min <= reach.max)) {
     violations.add("joint " + leg.joint_names[2],
@@ -103,8 +105,8 @@ void sum_masses(RobotModel& robot) {
   robot.mass = robot.base.mass;
   for (const LegModel& leg : robot.legs) {
     const LegJoints q = inverse_kinematics(leg, leg.p_BC).q;
-    for (int i = 0; i < 3; ++i) {
-      const LinkModel& link = leg.links[static_cast<std::size_t>(i)];
+    for (int i = 0; i < leg.num_joints(); ++i) {
+      const LinkModel& link = leg.links[i];
       robot.mass += link.mass;
       moment_B += link.mass * (link_pose(leg, i, q) * link.p_LM);
     }

@@ -51,7 +51,8 @@ Wrench wrench_of(WholeBodyController controller, const WholeBodyInput& input) {
     LegJoints press = effort[i];
     if (controller == kVirtualModel)
       press -= leg_weight(leg, input.q[i], kGravity * input.up_B).effort;
-    const Vector3 force = -foot_jacobian(leg, input.trig[i]).transpose().inverse() * press;
+    const Matrix3 J = foot_jacobian(leg, input.trig[i]).leftCols<3>();
+    const Vector3 force = -J.transpose().inverse() * press.head<3>();
     sum.force += force;
     sum.moment += input.p_BF[i].cross(force);
   }
@@ -77,7 +78,7 @@ TEST(WholeBody, FeedsForwardSharedLoadsIfKinematic) {
       shared_load(input.p_BF, argos().p_BM, input.load, argos().mass * kGravity);
   const LegArray<LegJoints> effort = efforts(kKinematic, input);
   for (LegId i = 0; i < 6; ++i) {
-    const Matrix3 J = foot_jacobian(argos().legs[i], input.trig[i]);
+    const LegJacobian J = foot_jacobian(argos().legs[i], input.trig[i]);
     const LegJoints expected = J.transpose() * (-force[i] * input.up_B);
     EXPECT_EQ(effort[i], i == 4 ? LegJoints(LegJoints::Zero()) : expected);
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <hexagait/core/kinematics.hpp>
+#include <hexagait/core/serial_stance.hpp>
 #include <hexagait/core/workspace.hpp>
 
 namespace hexagait {
@@ -18,19 +19,23 @@ double hip_to_foot(const LegModel& leg, double knee) {
 
 /// How far the foot gets from p_BC along a horizontal direction, at most `farthest` [m].
 double reach_along(const LegModel& leg, const Vector3& direction_B, double farthest) {
+  LegJoints near = leg.q_nominal;
   const auto reachable = [&](double s) {
-    return inverse_kinematics(leg, leg.p_BC + s * direction_B).reachable;
+    const LegSolution solution = inverse_kinematics(leg, leg.p_BC + s * direction_B, near);
+    if (solution.reachable) near = solution.q;
+    return solution.reachable;
   };
   // Steps outwards, lest a gap is leapt over; then halves the step in which the end is.
-  constexpr int kSteps = 50, kHalvings = 40;
+  const bool serial = leg.kind == LegKind::serial;  // which takes longer
+  const int steps = serial ? 20 : 50, halvings = serial ? 15 : 40;
   double inside = 0.0, outside = farthest;
-  for (int k = 1; k <= kSteps; ++k) {
-    const double s = farthest * k / kSteps;
+  for (int k = 1; k <= steps; ++k) {
+    const double s = farthest * k / steps;
     outside = s;
     if (!reachable(s)) break;
     inside = s;
   }
-  for (int k = 0; k < kHalvings && inside < outside; ++k) {
+  for (int k = 0; k < halvings && inside < outside; ++k) {
     const double middle = 0.5 * (inside + outside);
     (reachable(middle) ? inside : outside) = middle;
   }
@@ -60,10 +65,12 @@ Vector3 nominal_foot(const LegModel& leg) {
 }
 
 double reachable_radius(const LegModel& leg) {
-  constexpr int kDirections = 120;
-  double radius = kLargestRadius * (leg.femur + leg.tibia);
-  for (int k = 0; k < kDirections; ++k) {
-    const double angle = 2.0 * std::numbers::pi * k / kDirections;
+  const bool serial = leg.kind == LegKind::serial;
+  const int directions = serial ? 24 : 120;
+  const SerialLengths lengths = serial ? serial_lengths(leg) : SerialLengths{};
+  double radius = kLargestRadius * (serial ? lengths.upper + lengths.rest : leg.femur + leg.tibia);
+  for (int k = 0; k < directions; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / directions;
     const Vector3 direction_H(std::cos(angle), std::sin(angle), 0.0);
     radius = std::min(radius, reach_along(leg, leg.X_BH.R * direction_H, radius));
   }

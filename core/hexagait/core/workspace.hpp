@@ -6,7 +6,7 @@
 
 namespace hexagait {
 
-/// Distances of the foot centre from the hip-pitch axis [m].
+/// Distances of the foot centre from the hip-pitch axis, of a serial leg from the hip [m].
 struct Reach {
   double min = 0.0;
   double max = 0.0;
@@ -27,8 +27,9 @@ struct Reach {
 [[nodiscard]] Vector3 nominal_foot(const LegModel& leg);
 
 /// Radius of the largest horizontal disc about the leg's p_BC that it can reach all over [m], at
-/// most a third of femur + tibia: the rest is left for ground that is higher or lower than nominal.
-/// @pre p_BC, min_reach and max_reach are set
+/// most a third of femur + tibia (of a serial leg: of all behind its second axis): the rest is left
+/// for ground that is higher or lower than nominal.
+/// @pre p_BC, min_reach and max_reach are set, of a serial leg also q_nominal
 [[nodiscard]] double reachable_radius(const LegModel& leg);
 
 }  // namespace hexagait

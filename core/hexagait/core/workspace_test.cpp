@@ -14,7 +14,7 @@ constexpr double kPi = std::numbers::pi;
 LegModel leg_with_limits(double yaw, double knee_lower, double knee_upper) {
   LegModel leg;
   leg.coxa = 0.1, leg.femur = 0.3, leg.tibia = 0.4;
-  leg.limits = {{{-yaw, yaw}, {-2.0, 2.0}, {knee_lower, knee_upper}}};
+  leg.limits = {{-yaw, yaw}, {-2.0, 2.0}, {knee_lower, knee_upper}};
   leg.min_reach = leg_reach(leg).min, leg.max_reach = leg_reach(leg).max;
   leg.p_BC = nominal_foot(leg);
   return leg;

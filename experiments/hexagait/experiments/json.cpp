@@ -94,21 +94,25 @@ Json timing(const walk::Summary& s) {
 
 Json leg_json(const LegModel& leg) {
   Json joints = Json::array();
-  for (std::size_t k = 0; k < leg.joint_names.size(); ++k)
+  for (int k = 0; k < leg.num_joints(); ++k)
     joints.push_back({{"name", leg.joint_names[k]},
                       {"lower_rad", finite(leg.limits[k].lower)},
                       {"upper_rad", finite(leg.limits[k].upper)},
                       {"velocity_rad_s", finite(leg.limits[k].velocity)},
                       {"effort_n_m", finite(leg.limits[k].effort)}});
-  return {{"name", leg.name},
-          {"coxa_m", leg.coxa},
-          {"femur_m", leg.femur},
-          {"tibia_m", leg.tibia},
-          {"hip_m", {leg.X_BH.p.x(), leg.X_BH.p.y(), leg.X_BH.p.z()}},
-          {"workspace_centre_m", {leg.p_BC.x(), leg.p_BC.y(), leg.p_BC.z()}},
-          {"workspace_radius_m", leg.workspace_radius},
-          {"reach_m", {{"min", leg.min_reach}, {"max", leg.max_reach}}},
-          {"joints", joints}};
+  const bool serial = leg.kind == LegKind::serial;
+  Json json = {{"name", leg.name}, {"kind", serial ? "serial" : "yaw_pitch_pitch"}};
+  if (!serial) {
+    json["coxa_m"] = leg.coxa;
+    json["femur_m"] = leg.femur;
+    json["tibia_m"] = leg.tibia;
+  }
+  json["hip_m"] = {leg.X_BH.p.x(), leg.X_BH.p.y(), leg.X_BH.p.z()};
+  json["workspace_centre_m"] = {leg.p_BC.x(), leg.p_BC.y(), leg.p_BC.z()};
+  json["workspace_radius_m"] = leg.workspace_radius;
+  json["reach_m"] = {{"min", leg.min_reach}, {"max", leg.max_reach}};
+  json["joints"] = joints;
+  return json;
 }
 
 Json verdicts_json(const std::vector<Verdict>& verdicts) {

@@ -79,7 +79,7 @@ class Joints : public Plant {
     return PlantStatus::fresh;
   }
   void write(const JointTargets& targets) override { q = targets.q; }
-  LegArray<LegJoints> q = LegArray<LegJoints>(6, LegJoints(0.1, 0.2, 0.3));
+  LegArray<LegJoints> q = LegArray<LegJoints>(6, leg_joints({0.1, 0.2, 0.3}));
 };
 
 // What it is told it reports as done, and truly does with the error.
@@ -87,12 +87,12 @@ TEST(MiscalibratedPlant, IsOffByItsErrorAndDoesNotKnow) {
   Joints robot;
   MiscalibratedPlant plant(robot, 0.02);
   const LegArray<LegJoints> zero(6, LegJoints::Zero());
-  plant.write({LegArray<LegJoints>(6, LegJoints(0.5, 0.6, 0.7)), zero, zero});
+  plant.write({LegArray<LegJoints>(6, leg_joints({0.5, 0.6, 0.7})), zero, zero});
   Measurement measurement;
   EXPECT_EQ(plant.read(measurement), PlantStatus::fresh);
   for (LegId i = 0; i < 6; ++i) {
-    EXPECT_NEAR((measurement.q[i] - LegJoints(0.5, 0.6, 0.7)).norm(), 0.0, 1e-15);
-    EXPECT_NEAR((robot.q[i] - LegJoints(0.48, 0.6, 0.7)).norm(), 0.0, 1e-15);
+    EXPECT_NEAR((measurement.q[i] - leg_joints({0.5, 0.6, 0.7})).norm(), 0.0, 1e-15);
+    EXPECT_NEAR((robot.q[i] - leg_joints({0.48, 0.6, 0.7})).norm(), 0.0, 1e-15);
   }
 }
 

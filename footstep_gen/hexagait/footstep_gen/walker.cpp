@@ -47,8 +47,8 @@ void Walker::start(const Measurement& measurement) {
 }
 
 bool Walker::healthy(PlantStatus status, const Measurement& measurement) noexcept {
-  const bool go = watch_.accepts(status, measurement, model_->num_legs(), params_.control_dt,
-                                 params_.late_limit);
+  const bool go =
+      watch_.accepts(status, measurement, *model_, params_.control_dt, params_.late_limit);
   record_.fault = watch_.fault();
   record_.holding = watch_.holding();
   if (go) {

@@ -15,15 +15,15 @@ using hexagait::testing::allocations;
 
 TEST(World, AllocatesNothingOnceItHasMadeItsFirstContacts) {
   const RobotModel robot = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  LegArray<LegJoints> q(6, Vector3::Zero());
+  LegArray<LegJoints> q(6, LegJoints::Zero());
   for (LegId leg = 0; leg < 6; ++leg) {
     q[leg] = inverse_kinematics(robot.legs[leg], robot.legs[leg].p_BC).q;
   }
   dSetAllocHandler(&testing::counted_malloc);
   for (const char* terrain : {"flat", "boxes:0.05"}) {
     World world(robot, parse_terrain(terrain), {}, q);
-    JointTargets targets{q, LegArray<LegJoints>(6, Vector3::Zero()),
-                         LegArray<LegJoints>(6, Vector3::Zero())};
+    JointTargets targets{q, LegArray<LegJoints>(6, LegJoints::Zero()),
+                         LegArray<LegJoints>(6, LegJoints::Zero())};
     Measurement measurement;
     for (int k = 0; k < 50; ++k) world.write(targets);
 

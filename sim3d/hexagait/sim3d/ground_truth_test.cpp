@@ -8,7 +8,7 @@
 namespace hexagait::sim3d {
 namespace {
 
-const LegArray<LegJoints> kZero(6, Vector3::Zero());
+const LegArray<LegJoints> kZero(6, LegJoints::Zero());
 
 class Referee : public testing::Test {
  protected:

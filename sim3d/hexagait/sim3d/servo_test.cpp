@@ -11,7 +11,7 @@
 namespace hexagait::sim3d {
 namespace {
 
-const LegArray<LegJoints> kZero(6, Vector3::Zero());
+const LegArray<LegJoints> kZero(6, LegJoints::Zero());
 
 class ServoOnStand : public testing::Test {
  protected:
@@ -34,13 +34,12 @@ class ServoOnStand : public testing::Test {
   // Torque of gravity about joint k of a leg at q, base level: axis · Σ (p_M − p_J) × (−m g z).
   double gravity_torque(LegId leg, int k, const LegJoints& q) const {
     const LegModel& model = robot_.legs[leg];
-    const auto link_k = static_cast<std::size_t>(k);
     const Pose X_BL = link_pose(model, k, q);
-    const Pose moved = X_BL * model.links[link_k].X_BL0.inverse();
-    const Vector3 p_J = moved * model.p_BJ0[link_k], axis = moved.R * model.axis_B0[link_k];
+    const Pose moved = X_BL * model.links[k].X_BL0.inverse();
+    const Vector3 p_J = moved * model.p_BJ0[k], axis = moved.R * model.axis_B0[k];
     double torque = 0.0;
     for (int i = k; i < 3; ++i) {
-      const LinkModel& link = model.links[static_cast<std::size_t>(i)];
+      const LinkModel& link = model.links[i];
       const Vector3 weight(0.0, 0.0, -link.mass * params_.gravity);
       torque += axis.dot((link_pose(model, i, q) * link.p_LM - p_J).cross(weight));
     }
@@ -68,8 +67,8 @@ TEST_F(ServoOnStand, SagsByGravityTorqueOverStiffness) {
 }
 
 TEST_F(ServoOnStand, HoldsExactlyWhenItsEffortFeedForwardCarriesTheLeg) {
-  const LegArray<LegJoints> q(6, LegJoints(0.3, -0.4, 1.2));
-  LegArray<LegJoints> load(6, Vector3::Zero());
+  const LegArray<LegJoints> q(6, leg_joints({0.3, -0.4, 1.2}));
+  LegArray<LegJoints> load(6, LegJoints::Zero());
   for (LegId leg = 0; leg < 6; ++leg) {
     for (int k = 0; k < 3; ++k) load[leg][k] = -gravity_torque(leg, k, q[leg]);
   }
@@ -84,7 +83,7 @@ TEST_F(ServoOnStand, PutsTheFeetWhereTheKinematicsSays) {
   params_.gravity = 0.0;
   params_.start = {0.7, {3.0, -2.0}};
   RandomSequence random{.seed = 3};
-  LegArray<LegJoints> from(6, Vector3::Zero()), to(6, Vector3::Zero());
+  LegArray<LegJoints> from(6, LegJoints::Zero()), to(6, LegJoints::Zero());
   for (LegId leg = 0; leg < 6; ++leg) {
     from[leg] = {random.uniform(-0.9, 0.9), random.uniform(-1.0, 0.5), random.uniform(0.1, 2.0)};
     to[leg] = {random.uniform(-0.9, 0.9), random.uniform(-1.0, 0.5), random.uniform(0.1, 2.0)};
@@ -157,9 +156,9 @@ TEST_F(ServoOnStand, TurnsAsFastAsItIsToldToByVelocity) {
   World world(robot_, {}, params_, kZero);
   JointTargets targets{kZero, kZero, kZero, LegArray<ControlMode>(6, ControlMode::position)};
   targets.mode[0] = targets.mode[3] = ControlMode::velocity;
-  targets.q[0] = targets.q[3] = LegJoints(0.5, 0.5, 0.5);
-  targets.qd[0] = LegJoints(0.4, 0.0, 0.3);
-  targets.qd[3] = LegJoints(-0.4, 0.0, 0.3);
+  targets.q[0] = targets.q[3] = leg_joints({0.5, 0.5, 0.5});
+  targets.qd[0] = leg_joints({0.4, 0.0, 0.3});
+  targets.qd[3] = leg_joints({-0.4, 0.0, 0.3});
   hold(world, targets, 0.5);
   const LegArray<LegJoints> before = q_of(world);
   hold(world, targets, 0.5);
@@ -193,7 +192,7 @@ TEST_F(ServoOnStand, TurnsFreelyByEffort) {
 // A leg whose weight is carried by its efforts floats: it stays where it is put, and nothing else
 // holds it. With 1 N m less at the hip it sinks.
 TEST_F(ServoOnStand, FloatsByEffortWhereItsLoadIsFedForward) {
-  const LegArray<LegJoints> q(6, LegJoints(0.3, -0.4, 1.2));
+  const LegArray<LegJoints> q(6, leg_joints({0.3, -0.4, 1.2}));
   JointTargets targets{kZero, kZero, kZero, LegArray<ControlMode>(6, ControlMode::effort)};
   for (LegId leg = 0; leg < 6; ++leg)
     for (int k = 0; k < 3; ++k) targets.effort[leg][k] = -gravity_torque(leg, k, q[leg]);
@@ -217,7 +216,7 @@ TEST_F(ServoOnStand, StopsAtItsLimitsInEveryMode) {
     hold(world, targets, 3.0);
     for (LegId leg = 0; leg < 6; ++leg) {
       for (int k = 0; k < 3; ++k) {
-        const JointLimits& limits = robot_.legs[leg].limits[static_cast<std::size_t>(k)];
+        const JointLimits& limits = robot_.legs[leg].limits[k];
         const double stop = leg % 2 == 0 ? limits.upper : limits.lower;
         EXPECT_NEAR(q_of(world)[leg][k], stop, 0.05) << leg << " " << k;
       }

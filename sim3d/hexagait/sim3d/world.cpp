@@ -43,10 +43,12 @@ Pose start_pose(const RobotModel& model, const Terrain& terrain, const WorldPara
   return X_WB;
 }
 
-bool all_finite(const JointTargets& targets) {
-  const auto finite = [](const LegJoints& joints) { return joints.allFinite(); };
-  return std::ranges::all_of(targets.q, finite) && std::ranges::all_of(targets.qd, finite) &&
-         std::ranges::all_of(targets.effort, finite);
+// Of the joints that there are.
+bool all_finite(const JointTargets& targets, const LegArray<int>& num_joints) {
+  for (LegId leg = 0; leg < num_joints.size(); ++leg)
+    for (const LegArray<LegJoints>* all : {&targets.q, &targets.qd, &targets.effort})
+      if (!(*all)[leg].head(num_joints[leg]).allFinite()) return false;
+  return true;
 }
 
 // What the contacts of one step of length h say about the feet. A foot on an edge has several
@@ -94,7 +96,10 @@ class World::Impl {
         ground_(Terrain(spec, params.seed), params.blocks),
         contacts_(world_.get(), params),
         robot_(world_.get(), model, params, start_pose(model, terrain(), params, q), q),
+        num_joints_(model.num_legs()),
         felt_(model.num_legs(), false) {
+    for (LegId leg = 0; leg < model.num_legs(); ++leg)
+      num_joints_[leg] = model.legs[leg].num_joints();
     truth_.feet = LegArray<FootTruth>(model.num_legs());
     record_motion();
   }
@@ -107,7 +112,7 @@ class World::Impl {
   }
 
   void write(const JointTargets& targets) {
-    if (!all_finite(targets)) truth_.finite = false;
+    if (!all_finite(targets, num_joints_)) truth_.finite = false;
     robot_.servos().set_targets(targets);
     felt_ = LegArray<bool>(felt_.size(), false);
     for (int k = 0; k < physics_steps_ && truth_.finite; ++k) step(k * params_.physics_dt);
@@ -158,6 +163,7 @@ class World::Impl {
   detail::Ground ground_;
   detail::Contacts contacts_;
   detail::Robot robot_;
+  LegArray<int> num_joints_;
   LegArray<bool> felt_;             // latched over the control period
   Vector3 push_ = Vector3::Zero();  // on the base [N]
   long push_steps_ = 0;             // still to go

@@ -23,7 +23,7 @@ LegArray<LegJoints> everywhere(const LegJoints& q) { return LegArray<LegJoints>(
 
 // Joint positions with every foot at its workspace centre, moved by `shift` [m].
 LegArray<LegJoints> stance(const Vector3& shift = Vector3::Zero()) {
-  LegArray<LegJoints> q = everywhere(Vector3::Zero());
+  LegArray<LegJoints> q = everywhere(LegJoints::Zero());
   for (LegId leg = 0; leg < 6; ++leg) {
     const LegModel& model = argos().legs[leg];
     q[leg] = inverse_kinematics(model, model.p_BC + shift).q;
@@ -32,7 +32,7 @@ LegArray<LegJoints> stance(const Vector3& shift = Vector3::Zero()) {
 }
 
 JointTargets at(const LegArray<LegJoints>& q) {
-  return {q, everywhere(Vector3::Zero()), everywhere(Vector3::Zero())};
+  return {q, everywhere(LegJoints::Zero()), everywhere(LegJoints::Zero())};
 }
 
 void run(World& world, const JointTargets& targets, double seconds) {
@@ -158,9 +158,9 @@ TEST(World, LatchesContactOverTheControlPeriod) {
 TEST(World, FeelsNoFootWhenTheRobotLiesOnItsBelly) {
   WorldParams params;
   params.start_clearance = 0.06;
-  World world(argos(), {}, params, everywhere(Vector3::Zero()));
+  World world(argos(), {}, params, everywhere(LegJoints::Zero()));
   EXPECT_FALSE(world.truth().base_touches_ground);
-  run(world, at(everywhere(Vector3::Zero())), 0.5);
+  run(world, at(everywhere(LegJoints::Zero())), 0.5);
   EXPECT_TRUE(world.truth().base_touches_ground);
   EXPECT_EQ(num_felt(world), 0);
   EXPECT_EQ(total_force(world), 0.0);
@@ -217,7 +217,7 @@ TEST(World, RepeatsItselfToTheLastBit) {
     EXPECT_GT((q[0] - stance()[0]).norm(), 1e-3);
     EXPECT_TRUE(same_bits(q, q_after_marching(terrain, seconds)));
 
-    LegArray<LegJoints> q_a(6, Vector3::Zero()), q_b(6, Vector3::Zero());
+    LegArray<LegJoints> q_a(6, LegJoints::Zero()), q_b(6, LegJoints::Zero());
     std::thread a([&] { q_a = q_after_marching(terrain, seconds); });
     std::thread b([&] { q_b = q_after_marching(terrain, seconds); });
     a.join();
@@ -276,7 +276,7 @@ Vector3 centre_of_mass(World& world) {
   double mass = argos().base.mass;
   for (LegId leg = 0; leg < 6; ++leg)
     for (int k = 0; k < 3; ++k) {
-      const LinkModel& link = argos().legs[leg].links[static_cast<std::size_t>(k)];
+      const LinkModel& link = argos().legs[leg].links[k];
       sum += link.mass * (link_pose(argos().legs[leg], k, measurement.q[leg]) * link.p_LM);
       mass += link.mass;
     }
@@ -296,7 +296,7 @@ TEST(World, IsPushedByAForceForATime) {
     const Vector3 p0 = centre_of_mass(world);
     world.push(force, 0.2);
     LegArray<LegJoints> q = stance();
-    for (LegJoints& leg : q) leg += Vector3::Constant(kick);
+    for (LegJoints& leg : q) leg.head<3>().array() += kick;
     run(world, at(q), 0.2);
     const Vector3 way = force / argos().mass * 0.002 * 0.002 * 100 * 101 / 2;
     EXPECT_NEAR((centre_of_mass(world) - p0 - way).norm(), 0.0, 1e-5) << kick;
@@ -334,8 +334,8 @@ TEST(World, SurvivesAnyFiniteTargets) {
   const double most = std::numeric_limits<double>::max();
   World world(argos(), {}, {}, stance());
   for (int k = 0; k < 500; ++k) {
-    const LegArray<LegJoints> extreme = everywhere(Vector3::Constant(k % 20 < 10 ? most : -most));
-    world.write({extreme, k % 3 == 0 ? extreme : everywhere(Vector3::Zero()), extreme});
+    const LegArray<LegJoints> extreme = everywhere(LegJoints::Constant(k % 20 < 10 ? most : -most));
+    world.write({extreme, k % 3 == 0 ? extreme : everywhere(LegJoints::Zero()), extreme});
   }
   EXPECT_TRUE(world.truth().finite);
   EXPECT_TRUE(world.truth().X_WB.p.allFinite());
@@ -364,7 +364,7 @@ TEST(World, RefusesEverythingThatIsWrongAtOnce) {
       EXPECT_THAT(refusal.what(), testing::HasSubstr(part));
     }
   }
-  EXPECT_THROW(World(argos(), {}, {}, LegArray<LegJoints>(4, Vector3::Zero())), InvalidInput);
+  EXPECT_THROW(World(argos(), {}, {}, LegArray<LegJoints>(4, LegJoints::Zero())), InvalidInput);
 }
 
 }  // namespace

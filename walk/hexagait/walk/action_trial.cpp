@@ -32,7 +32,7 @@ class ActionReferee {
     watch_posture(truth);
     watch_margin(record, truth);
     watch_motion(truth);
-    summary_.state_hash = state_hash(truth, record.measurement, summary_.state_hash);
+    summary_.state_hash = state_hash(model_, truth, record.measurement, summary_.state_hash);
     const Pose X_OW = X_WO_.inverse();
     summary_.odometry_position = (X_OW * truth.X_WB.p - record.state.X_OB.p).norm();
     summary_.fault = record.fault;

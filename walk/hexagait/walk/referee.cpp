@@ -56,7 +56,7 @@ void Referee::observe(const TickRecord& record, const GroundTruth& truth) {
   watch_stances(record, truth);
   watch_rule1(record, truth);
   watch_progress(record);
-  summary_.state_hash = state_hash(truth, record.measurement, summary_.state_hash);
+  summary_.state_hash = state_hash(*model_, truth, record.measurement, summary_.state_hash);
   odometry_ = record.state.X_OB;
   truth_ = truth.X_WB;
   summary_.fault = record.fault;

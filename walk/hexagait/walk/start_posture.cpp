@@ -41,8 +41,7 @@ double lowest(const LinkModel& link, const Pose& X_BL) {
 
 double lowest(const LegModel& leg, const LegJoints& q, int links) {
   double z = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < links; ++k)
-    z = std::min(z, lowest(leg.links[static_cast<std::size_t>(k)], link_pose(leg, k, q)));
+  for (int k = 0; k < links; ++k) z = std::min(z, lowest(leg.links[k], link_pose(leg, k, q)));
   return z;
 }
 
@@ -53,19 +52,18 @@ double lowest(const LegModel& leg, const LegJoints& q, int links) {
 LegJoints sitting(const RobotModel& model, const LegModel& leg, double depth) {
   const Vector3 p_BF(leg.p_BC.x(), leg.p_BC.y(), model.foot_radius - depth);
   const LegSolution solution = inverse_kinematics(leg, p_BF);
-  if (!solution.reachable || lowest(leg, solution.q, 2) < kClearance - depth) refuse(model, leg);
+  if (!solution.reachable || lowest(leg, solution.q, leg.num_joints() - 1) < kClearance - depth)
+    refuse(model, leg);
   return solution.q;
 }
 
 LegJoints lying(const RobotModel& model, const LegModel& leg, double depth,
                 RandomSequence& random) {
   for (int draw = 0; draw < kMaxDraws; ++draw) {
-    LegJoints q;
-    for (int k = 0; k < 3; ++k) {
-      const JointLimits& limits = leg.limits[static_cast<std::size_t>(k)];
-      q[k] = random.uniform(limits.lower, limits.upper);
-    }
-    if (lowest(leg, q, 3) > kClearance - depth) return q;
+    LegJoints q = LegJoints::Zero();
+    for (int k = 0; k < leg.num_joints(); ++k)
+      q[k] = random.uniform(leg.limits[k].lower, leg.limits[k].upper);
+    if (lowest(leg, q, leg.num_joints()) > kClearance - depth) return q;
   }
   refuse(model, leg);
 }

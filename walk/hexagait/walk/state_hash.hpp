@@ -10,17 +10,18 @@
 
 namespace hexagait::walk {
 
-/// Takes the bits of one tick, true pose of the base and measured joints, into the hash of a trial.
+/// Takes the bits of one tick, true pose of the base and measured joints (those that there are),
+/// into the hash of a trial.
 /// @param hash  of the ticks before; kFnv1aBasis at first
-[[nodiscard]] inline std::uint64_t state_hash(const GroundTruth& truth,
+[[nodiscard]] inline std::uint64_t state_hash(const RobotModel& model, const GroundTruth& truth,
                                               const Measurement& measurement, std::uint64_t hash) {
   const auto add = [&hash](double value) {
     hash = fnv1a(std::bit_cast<std::uint64_t>(value), hash);
   };
   for (int k = 0; k < 3; ++k) add(truth.X_WB.p[k]);
   for (int k = 0; k < 9; ++k) add(truth.X_WB.R(k / 3, k % 3));
-  for (const LegJoints& q : measurement.q)
-    for (int k = 0; k < 3; ++k) add(q[k]);
+  for (LegId i = 0; i < measurement.q.size(); ++i)
+    for (int k = 0; k < model.legs[i].num_joints(); ++k) add(measurement.q[i][k]);
   return hash;
 }
 

@@ -73,13 +73,13 @@ void check_link(Violations& violations, const LinkModel& link) {
 void check_leg(Violations& violations, const LegModel& leg, const LegJoints& q) {
   for (const LinkModel& link : leg.links) check_link(violations, link);
   const auto is_its_foot = [&leg](const Shape& shape) { return is_foot(shape, leg); };
-  if (std::ranges::none_of(leg.links[2].shapes, is_its_foot)) {
-    violations.add(leg.name, "needs a sphere at the foot's centre, on the tibia");
+  if (std::ranges::none_of(leg.links.back().shapes, is_its_foot)) {
+    violations.add(leg.name, "needs a sphere at the foot's centre, on the last link");
   }
 
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (int k = 0; k < leg.num_joints(); ++k) {
     const JointLimits& limits = leg.limits[k];
-    const double value = q[static_cast<Eigen::Index>(k)];
+    const double value = q[k];
     if (!(limits.effort > 0.0)) {
       violations.add(leg.joint_names[k],
                      "effort limit " + in_words(limits.effort) + " N m must be positive");

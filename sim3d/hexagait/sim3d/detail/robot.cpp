@@ -45,7 +45,7 @@ dGeomID make_geom(const Shape& shape) {
 }  // namespace
 
 bool is_foot(const Shape& shape, const LegModel& leg) {
-  const Vector3 p_BS0 = leg.links[2].X_BL0 * shape.X_LS.p;
+  const Vector3 p_BS0 = leg.links.back().X_BL0 * shape.X_LS.p;
   return shape.kind == Shape::Kind::sphere && (p_BS0 - leg.p_BF0).norm() < kSamePlace;
 }
 
@@ -94,7 +94,8 @@ void Robot::make_shapes(const LinkModel& model, const Link& link) {
 void Robot::make_leg(LegId leg, const Pose& X_WB) {
   const LegModel& model = model_.legs[leg];
   dBodyID parent = base_.body;
-  for (std::size_t k = 0; k < 3; ++k) {
+  links_[leg] = JointArray<Link>(model.num_joints());
+  for (int k = 0; k < model.num_joints(); ++k) {
     const Link link = links_[leg][k] = make_link(model.links[k], X_WB);
     make_shapes(model.links[k], link);
 
@@ -104,21 +105,21 @@ void Robot::make_leg(LegId leg, const Pose& X_WB) {
     const Vector3 anchor = X_WB * model.p_BJ0[k], axis = X_WB.R * model.axis_B0[k];
     dJointSetHingeAnchor(hinge, anchor.x(), anchor.y(), anchor.z());
     dJointSetHingeAxis(hinge, axis.x(), axis.y(), axis.z());
-    servos_.add(hinge, leg, static_cast<Eigen::Index>(k), model.limits[k]);
+    servos_.add(hinge, leg, k, model.limits[k]);
     parent = link.body;
   }
 
-  // The tibia's shapes came last.
-  const std::vector<Shape>& tibia = model.links[2].shapes;
-  for (std::size_t i = 0; i < tibia.size(); ++i) {
-    if (is_foot(tibia[i], model)) shapes_[shapes_.size() - tibia.size() + i].foot_of = leg;
+  // The shapes of the last link, which has the foot, came last.
+  const std::vector<Shape>& last = model.links.back().shapes;
+  for (std::size_t i = 0; i < last.size(); ++i) {
+    if (is_foot(last[i], model)) shapes_[shapes_.size() - last.size() + i].foot_of = leg;
   }
 }
 
 void Robot::move_leg_to(LegId leg, const Pose& X_WB, const LegJoints& q) {
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (int k = 0; k < links_[leg].size(); ++k) {
     const Link& link = links_[leg][k];
-    place(link.body, X_WB * link_pose(model_.legs[leg], static_cast<int>(k), q), link.p_LM);
+    place(link.body, X_WB * link_pose(model_.legs[leg], k, q), link.p_LM);
   }
 }
 
@@ -179,9 +180,9 @@ Twist Robot::V_WB() const {
 }
 
 Vector3 Robot::p_WF(LegId leg) const {
-  const Link& tibia = links_[leg][2];
+  const Link& last = links_[leg].back();
   const LegModel& model = model_.legs[leg];
-  return pose_of(tibia.body, tibia.p_LM) * (model.links[2].X_BL0.inverse() * model.p_BF0);
+  return pose_of(last.body, last.p_LM) * (model.links.back().X_BL0.inverse() * model.p_BF0);
 }
 
 bool Robot::is_sane() const {

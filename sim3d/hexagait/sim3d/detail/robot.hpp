@@ -21,7 +21,7 @@ struct RobotShape {
   bool of_base = false;       ///< belongs to the base link
 };
 
-/// Is this shape of the tibia the leg's foot: a sphere about the foot's centre?
+/// Is this shape of the last link the leg's foot: a sphere about the foot's centre?
 [[nodiscard]] bool is_foot(const Shape& shape, const LegModel& leg);
 
 /// The robot as ODE bodies, hinges with servos, and shapes. Bodies and hinges belong to the ODE
@@ -68,7 +68,7 @@ class Robot {
   RobotModel model_;
   Servos servos_;
   Link base_;
-  LegArray<std::array<Link, 3>> links_;
+  LegArray<JointArray<Link>> links_;
   std::vector<RobotShape> shapes_;
   std::vector<dBodyID> bodies_;
   std::vector<BodyState> saved_;  // of bodies_, before the step

@@ -18,7 +18,7 @@ Servos::Servos(const WorldParams& params, const LegArray<LegJoints>& q)
       kv_(params.servo_kv),
       friction_(params.servo_friction),
       q_(q),
-      efforts_(q.size(), Vector3::Zero()),
+      efforts_(q.size(), LegJoints::Zero()),
       targets_{q, efforts_, efforts_} {}
 
 void Servos::add(dJointID hinge, LegId leg, Eigen::Index joint, const JointLimits& limits) {
