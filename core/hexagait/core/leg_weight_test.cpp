@@ -19,7 +19,7 @@ const RobotModel& robot(const std::string& name) {
 Vector3 moment(const LegModel& leg, const LegJoints& q) {
   Vector3 sum = Vector3::Zero();
   for (int i = 0; i < static_cast<int>(leg.links.size()); ++i) {
-    const LinkModel& link = leg.links[static_cast<std::size_t>(i)];
+    const LinkModel& link = leg.links[i];
     sum += link.mass * (link_pose(leg, i, q) * link.p_LM);
   }
   return sum;
@@ -77,8 +77,8 @@ TEST(NominalInertia, GivesTheKineticEnergyOfTurning) {
       double sum = energy(model.base, {});
       for (const LegModel& leg : model.legs) {
         const LegJoints q = inverse_kinematics(leg, leg.p_BC).q;
-        for (int i = 0; i < 3; ++i)
-          sum += energy(leg.links[static_cast<std::size_t>(i)], link_pose(leg, i, q));
+        for (int i = 0; i < leg.num_joints(); ++i)
+          sum += energy(leg.links[i], link_pose(leg, i, q));
       }
       EXPECT_NEAR(0.5 * w.dot(model.inertia_M_B * w), sum, 1e-12 * sum);
     }

@@ -166,8 +166,8 @@ TEST(WholeBody, CarriesTheCentreOfMassWhereTheLegsPutIt) {
   input.trig[0] = joints.trig;
   Vector3 moment_B = argos().base.mass * argos().base.p_LM;
   for (LegId i = 0; i < 6; ++i)
-    for (int k = 0; k < 3; ++k) {
-      const LinkModel& link = argos().legs[i].links[static_cast<std::size_t>(k)];
+    for (int k = 0; k < argos().legs[i].num_joints(); ++k) {
+      const LinkModel& link = argos().legs[i].links[k];
       moment_B += link.mass * (link_pose(argos().legs[i], k, input.q[i]) * link.p_LM);
     }
   const Vector3 expected = moment_B.cross(kGravity * Vector3::UnitZ());
