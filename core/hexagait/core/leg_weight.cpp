@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <array>
 #include <hexagait/core/kinematics.hpp>
 #include <hexagait/core/leg_weight.hpp>
 
@@ -16,12 +17,12 @@ Matrix3 inertia_about(const Vector3& p_BM, const LinkModel& link, const Pose& X_
 }  // namespace
 
 LegWeight leg_weight(const LegModel& leg, const LegJoints& q, const Vector3& g_up_B) noexcept {
-  constexpr std::size_t kJoints = std::tuple_size_v<decltype(leg.links)>;
-  std::array<Vector3, kJoints> p_BJ, axis_B, moment_B;
+  std::array<Vector3, LegJoints::SizeAtCompileTime> p_BJ, axis_B, moment_B;
+  const std::size_t n = leg.links.size();
 
   // From the hip outwards: where the joints are, and the links' centres of mass.
   Pose X_BB0;  // what the joints so far do to the leg as it is at zero
-  for (std::size_t i = 0; i < kJoints; ++i) {
+  for (std::size_t i = 0; i < n; ++i) {
     p_BJ[i] = X_BB0 * leg.p_BJ0[i];
     axis_B[i] = X_BB0.R * leg.axis_B0[i];
     const Matrix3 R = rotation(leg.axis_B0[i] * q[static_cast<Eigen::Index>(i)]);
@@ -33,7 +34,7 @@ LegWeight leg_weight(const LegModel& leg, const LegJoints& q, const Vector3& g_u
   // And back: each joint holds all that is outside of it.
   LegWeight weight;
   double mass = 0.0;
-  for (std::size_t i = kJoints; i-- > 0;) {
+  for (std::size_t i = n; i-- > 0;) {
     mass += leg.links[i].mass;
     weight.moment_B += moment_B[i];
     weight.effort[static_cast<Eigen::Index>(i)] =
