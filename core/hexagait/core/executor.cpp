@@ -154,6 +154,8 @@ void Executor::hold() noexcept {
     lane.a_O.setZero();
   }
   for (LegJoints& qd : targets_.qd) qd.setZero();
+  // Efforts that nobody adapts any more hold nothing up.
+  for (LegId i = 0; i < legs_.size(); ++i) targets_.mode[i] = ControlMode::position;
   for (LegJoints& change : last_change_) change.setZero();  // nothing rolls on
 }
 

@@ -44,8 +44,8 @@ TEST(LegWeight, IsTheGradientOfThePotentialEnergy) {
   for (const char* name : {"argos", "quadruped"}) {
     for (int trial = 0; trial < 200; ++trial) {
       const LegModel& leg = robot(name).legs[trial % 4];
-      LegJoints q;
-      for (double& x : q) x = random.uniform(-1.5, 1.5);
+      LegJoints q = LegJoints::Zero();
+      for (int k = 0; k < leg.num_joints(); ++k) q[k] = random.uniform(-1.5, 1.5);
       const Vector3 g_up =
           9.81 * rotation({random.uniform(-1, 1), random.uniform(-1, 1), 0.0}).row(2).transpose();
       const LegWeight weight = leg_weight(leg, q, g_up);

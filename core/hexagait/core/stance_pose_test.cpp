@@ -1,29 +1,26 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
-#include <nlopt.h>
 
 #include <algorithm>
-#include <functional>
 #include <hexagait/core/kinematics.hpp>
 #include <hexagait/core/random.hpp>
 #include <hexagait/core/stance_pose.hpp>
 #include <hexagait/core/support_polygon.hpp>
 #include <limits>
-#include <vector>
+#include <testing/stance_oracle.hpp>
 
 namespace hexagait {
 namespace {
+
+using testing::pose;
+using testing::StanceOracle;
 
 constexpr double kHeight = 0.3;
 
 const RobotModel& argos() {
   static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
   return model;
-}
-
-Pose pose(double x, double y, double z, double roll, double pitch, double yaw) {
-  return {rotation_z(yaw) * rotation({0.0, pitch, 0.0}) * rotation({roll, 0.0, 0.0}), {x, y, z}};
 }
 
 /// All feet in their nominal places under a base, all legs taking part.
@@ -50,125 +47,6 @@ StanceProblem random_problem(RandomSequence& random, double scatter) {
 Vector2 centre_of_mass(const Pose& X_OB) { return (X_OB * argos().p_BM).head<2>(); }
 
 double distance(const Pose& X, const Pose& Y) { return (X.R - Y.R).norm() + (X.p - Y.p).norm(); }
-
-// ---- The oracle: (stance 1) and its constraints written down again, over x, y, z and roll, pitch,
-// yaw, by numerical derivatives and sequential least squares.
-
-struct Oracle {
-  const RobotModel& model;
-  const StanceProblem& problem;
-  double margin;
-
-  static Pose pose_of(const double* x) { return pose(x[0], x[1], x[2], x[3], x[4], x[5]); }
-
-  double objective(const double* x) const {
-    const Pose X_BO = pose_of(x).inverse();
-    double sum = 0.0;
-    for (LegId i = 0; i < model.num_legs(); ++i) {
-      const Vector3& c = model.legs[i].p_BC;
-      if (!problem.reach.contains(i)) continue;
-      const Vector3 p_BF = X_BO * problem.p_OF[i];
-      sum += std::pow(p_BF.x() - c.x(), 2) + std::pow(p_BF.y() - c.y(), 2) +
-             kHeightWeight * std::pow(p_BF.z() + problem.height, 2);
-    }
-    return sum;
-  }
-
-  // Every one must be ≤ 0. As many whatever the pose is.
-  std::vector<double> constraints(const double* x) const {
-    const Pose X_OB = pose_of(x), X_BO = X_OB.inverse();
-    std::vector<double> g;
-    add_polygon(g, (X_OB * model.p_BM).head<2>());
-    for (LegId i = 0; i < model.num_legs(); ++i)
-      if (problem.reach.contains(i)) add_leg(g, model.legs[i], X_BO * problem.p_OF[i]);
-    g.push_back(std::cos(kMaxTilt) - X_OB.R(2, 2));
-    return g;
-  }
-
-  // A pair of feet with no foot on its right is an edge.
-  void add_polygon(std::vector<double>& g, const Vector2& p) const {
-    const auto foot = [&](LegId i) { return Vector2(problem.p_OF[i].head<2>()); };
-    for (LegId a = 0; a < 6; ++a) {
-      for (LegId b = 0; b < 6; ++b) {
-        if (a == b || !problem.support.contains(a) || !problem.support.contains(b)) continue;
-        const Vector2 edge = (foot(b) - foot(a)).normalized();
-        bool is_edge = true;
-        for (LegId c = 0; c < 6; ++c)
-          is_edge = is_edge && (c == a || c == b || !problem.support.contains(c) ||
-                                cross(edge, foot(c) - foot(a)) >= 0.0);
-        if (is_edge) g.push_back(margin - cross(edge, p - foot(a)));
-      }
-    }
-  }
-
-  // Yaw, and the triangle hip, knee, foot: the hip angle from the elevation and the law of cosines.
-  static void add_leg(std::vector<double>& g, const LegModel& leg, const Vector3& p_BF) {
-    const Vector3 p = leg.X_BH.inverse() * p_BF;
-    const double yaw = std::atan2(p.y(), p.x());
-    const double a = std::hypot(p.x(), p.y()) - leg.coxa, d = std::hypot(a, p.z());
-    const double cosine =
-        (leg.femur * leg.femur + d * d - leg.tibia * leg.tibia) / (2.0 * leg.femur * d);
-    const double hip = std::atan2(-p.z(), a) - std::acos(std::clamp(cosine, -1.0, 1.0));
-    g.insert(
-        g.end(),
-        {d - leg.max_reach + kReachClearance, leg.min_reach + kReachClearance - d,
-         yaw - leg.limits[0].upper + kJointClearance, leg.limits[0].lower + kJointClearance - yaw,
-         hip - leg.limits[1].upper + kJointClearance, leg.limits[1].lower + kJointClearance - hip});
-  }
-
-  // The minimum near a start: x, and by how much it violates a constraint at most.
-  struct Minimum {
-    double objective, violation;
-  };
-  Minimum minimum(const Pose& start) const {
-    const Vector3 rpy = roll_pitch_yaw(start.R);
-    double x[6] = {start.p.x(), start.p.y(), start.p.z(), rpy.x(), rpy.y(), rpy.z()};
-    const auto m = static_cast<unsigned>(constraints(x).size());
-    nlopt_opt slsqp = nlopt_create(NLOPT_LD_SLSQP, 6);
-    nlopt_set_min_objective(slsqp, nlopt_objective, const_cast<Oracle*>(this));
-    const std::vector<double> tolerance(m, 1e-9);
-    nlopt_add_inequality_mconstraint(slsqp, m, nlopt_constraints, const_cast<Oracle*>(this),
-                                     tolerance.data());
-    nlopt_set_xtol_abs1(slsqp, 1e-10);
-    nlopt_set_maxeval(slsqp, 200);
-    double value = 0.0;
-    (void)nlopt_optimize(slsqp, x, &value);
-    nlopt_destroy(slsqp);
-    const std::vector<double> g = constraints(x);
-    return {objective(x), *std::max_element(g.begin(), g.end())};
-  }
-
-  // By how much a pose violates a constraint at most.
-  double violation(const Pose& X) const {
-    const Vector3 rpy = roll_pitch_yaw(X.R);
-    const double x[6] = {X.p.x(), X.p.y(), X.p.z(), rpy.x(), rpy.y(), rpy.z()};
-    const std::vector<double> g = constraints(x);
-    return *std::max_element(g.begin(), g.end());
-  }
-
-  static double nlopt_objective(unsigned n, const double* x, double* gradient, void* self) {
-    const auto& oracle = *static_cast<const Oracle*>(self);
-    for (unsigned k = 0; gradient && k < n; ++k) {
-      std::vector<double> up(x, x + n), down(x, x + n);
-      up[k] += 1e-6, down[k] -= 1e-6;
-      gradient[k] = (oracle.objective(up.data()) - oracle.objective(down.data())) / 2e-6;
-    }
-    return oracle.objective(x);
-  }
-
-  static void nlopt_constraints(unsigned m, double* result, unsigned n, const double* x,
-                                double* gradient, void* self) {
-    const auto& oracle = *static_cast<const Oracle*>(self);
-    std::ranges::copy(oracle.constraints(x), result);
-    for (unsigned k = 0; gradient && k < n; ++k) {
-      std::vector<double> up(x, x + n), down(x, x + n);
-      up[k] += 1e-6, down[k] -= 1e-6;
-      const std::vector<double> high = oracle.constraints(up.data());
-      const std::vector<double> low = oracle.constraints(down.data());
-      for (unsigned i = 0; i < m; ++i) gradient[i * n + k] = (high[i] - low[i]) / 2e-6;
-    }
-  }
-};
 
 // ---- Closed forms.
 
@@ -278,12 +156,12 @@ TEST(StancePose, IsTheMinimumThatSequentialLeastSquaresFinds) {
     const StancePose stance = optimise_stance(argos(), problem);
     if (!stance.reachable()) continue;
     ++held;
-    const Oracle oracle{argos(), problem, std::min(problem.margin, stance.margin)};
+    const StanceOracle oracle{argos(), problem, std::min(problem.margin, stance.margin)};
     double best = std::numeric_limits<double>::infinity();
     const Pose level = pose(stance.X_OB.p.x(), stance.X_OB.p.y(), stance.X_OB.p.z(), 0.0, 0.0,
                             roll_pitch_yaw(stance.X_OB.R).z());
     for (const Pose& start : {stance.X_OB, level}) {
-      const Oracle::Minimum found = oracle.minimum(start);
+      const StanceOracle::Minimum found = oracle.minimum(start);
       if (found.violation < 1e-6) best = std::min(best, found.objective);
     }
     ASSERT_NEAR(stance.objective, best, 1e-6 + 1e-4 * best) << trial;
@@ -312,8 +190,8 @@ TEST(StancePose, IsTheMinimumWithinNarrowJointLimits) {
     const StancePose stance = optimise_stance(model, problem);
     if (!stance.reachable()) continue;
     ++held;
-    const Oracle oracle{model, problem, 0.0};
-    const Oracle::Minimum found = oracle.minimum(stance.X_OB);
+    const StanceOracle oracle{model, problem, 0.0};
+    const StanceOracle::Minimum found = oracle.minimum(stance.X_OB);
     ASSERT_LT(found.violation, 1e-6) << trial;
     ASSERT_LT(stance.objective, found.objective + 1e-6 + 1e-4 * found.objective) << trial;
     ASSERT_LT(oracle.violation(stance.X_OB), kJointClearance) << trial;
@@ -331,7 +209,7 @@ TEST(StancePose, LeansNoFartherThanItMay) {
     problem.margin = 0.0;
     const StancePose stance = optimise_stance(argos(), problem);
     EXPECT_NEAR(std::acos(stance.X_OB.R(2, 2)), kMaxTilt, 1e-6);
-    const Oracle::Minimum found = Oracle{argos(), problem, 0.0}.minimum(stance.X_OB);
+    const StanceOracle::Minimum found = StanceOracle{argos(), problem, 0.0}.minimum(stance.X_OB);
     ASSERT_NEAR(stance.objective, found.objective, 1e-6 + 1e-4 * found.objective) << trial;
   }
 }

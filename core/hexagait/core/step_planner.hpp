@@ -34,9 +34,6 @@ class StepPlanner {
   /// Room for all steps of an action, here and in the executor. Nothing else allocates.
   void reserve(const action::Action& action, Executor& executor);
 
-  /// Forgets the height of the last BaseAuto.
-  void reset() noexcept { height_.reset(); }
-
   /// @param next  the step after this one, if there is one: the body prepares for it
   [[nodiscard]] const StepPlan& plan(const action::Step& step, const action::Step* next,
                                      const StepStart& start) noexcept;

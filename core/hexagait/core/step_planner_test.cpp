@@ -162,7 +162,6 @@ TEST(BaseAuto, TakesTheHeightOfTheLastOne) {
   Scene scene;
   (void)scene.plan(step(action::BaseAuto{}));
   EXPECT_NEAR(asked.height, -scene.robot.model.legs[0].p_BC.z(), 1e-9);
-  scene.planner.reset();
   (void)scene.plan(step(testing::base_auto(0.31)));
   (void)scene.plan(step(action::BaseAuto{}));
   EXPECT_NEAR(asked.height, 0.31, 1e-12);

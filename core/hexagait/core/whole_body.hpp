@@ -11,8 +11,10 @@ namespace hexagait {
 
 /// How set points become joint efforts; switched without touching the action ([FG16] IV).
 enum class WholeBodyController : std::uint8_t {
-  kinematic,      ///< the joints are servoed to their targets, the weight is fed forward
-  virtual_model,  ///< the base is held by a virtual spring and damper, the feet push accordingly
+  kinematic,  ///< the joints are servoed to their targets, the weight is fed forward
+  /// The base is held by a virtual spring and damper, the feet push accordingly. Legs that stand
+  /// are driven by efforts alone: their angles must be measured (SensorMask::joint_feedback).
+  virtual_model,
 };
 
 [[nodiscard]] const char* to_string(WholeBodyController controller) noexcept;

@@ -181,6 +181,30 @@ TEST(VirtualModel, KeepsTheFeetWhereTheyAreUnderABlowFromTheSide) {
   EXPECT_LT(soft.at_end, 1e-4);
 }
 
+// Torques that nobody adapts any more would let the robot fall: when it is stopped, in the middle
+// of a push-up, the joints hold where they are. Before, they were driven by torques.
+TEST(VirtualModel, HoldsByPositionsWhenItIsStopped) {
+  Trial trial(kVirtualModel);
+  ActionRunner runner(argos(), trial.params);
+  Measurement measurement;
+  trial.world.read(measurement);
+  runner.start(measurement);
+  runner.submit(action::load_action(HEXAGAIT_SOURCE_DIR "/actions/push_up_six.yaml", argos()));
+  double height = 0.0;
+  for (int k = 0; k < 1500; ++k) {
+    if (k == 600) {
+      EXPECT_EQ(runner.record().desired.targets.mode[1], ControlMode::effort);
+      height = trial.world.truth().X_WB.p.z();
+      runner.emergency_stop();
+    }
+    trial.world.write(runner.tick(PlantStatus::fresh, measurement).desired.targets);
+    trial.world.read(measurement);
+  }
+  EXPECT_EQ(runner.record().fault, Fault::emergency_stop);
+  EXPECT_NEAR(trial.world.truth().X_WB.p.z(), height, 0.005);
+  EXPECT_GT(trial.world.truth().X_WB.R(2, 2), std::cos(0.01));
+}
+
 // Lowered onto its belly, the body meets the ground before its plan ends.
 TEST(VirtualModel, LiesDownWithoutPressingTheLegsApart) {
   const action::Action action =
