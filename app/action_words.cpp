@@ -183,9 +183,14 @@ std::string run_in_words(const ActionReport& report) {
       fmt::format("height {:.3f} … {:.3f} m, tilt up to {:.1f}°; {}", s.height_min, s.height_max,
                   degrees(s.tilt_max),
                   s.base_touched ? "it touched the ground" : "it never touched the ground"));
+  add(text, "off plan",
+      fmt::format("the body by up to {} in height, {} sideways, {:.1f}° of tilt",
+                  length(s.off_plan_height), length(s.off_plan_sideways),
+                  degrees(s.off_plan_tilt)));
   add(text, "feet",
-      s.leg_touched ? "a leg touched the ground beside its foot"
-                    : "no leg touched the ground but by its foot");
+      fmt::format("a foot carried up to {:.0f} N; ", s.foot_force_max) +
+          (s.leg_touched ? "a leg touched the ground beside its foot"
+                         : "no leg touched the ground but by its foot"));
   add(text, "controller",
       report.input->controller == WholeBodyController::kinematic
           ? "kinematic: by joint positions"
@@ -215,6 +220,10 @@ std::string run_json(const ActionReport& report) {
   json["tilt_rad"] = s.tilt_max;
   json["body_height_m"] = {{"min", s.height_min}, {"max", s.height_max}};
   json["odometry_error_m"] = s.odometry_position;
+  json["off_plan"] = {{"height_m", s.off_plan_height},
+                      {"sideways_m", s.off_plan_sideways},
+                      {"tilt_rad", s.off_plan_tilt}};
+  json["foot_force_max_N"] = s.foot_force_max;
   json["fault"] = to_string(s.fault);
   json["out_of_time"] = s.out_of_time;
   json["interrupted"] = report.interrupted;

@@ -31,6 +31,7 @@ class ActionReferee {
   void observe(const ActionRecord& record, const GroundTruth& truth) {
     watch_posture(truth);
     watch_margin(record, truth);
+    watch_plan(record, truth);
     watch_motion(truth);
     summary_.state_hash = state_hash(model_, truth, record.measurement, summary_.state_hash);
     const Pose X_OW = X_WO_.inverse();
@@ -73,6 +74,18 @@ class ActionReferee {
     if (margin >= summary_.margin_min) return;
     summary_.margin_min = margin;
     summary_.margin_step = record.feedback.step;
+  }
+
+  void watch_plan(const ActionRecord& record, const GroundTruth& truth) {
+    for (const FootTruth& foot : truth.feet)
+      summary_.foot_force_max = std::max(summary_.foot_force_max, foot.normal_force);
+    if (!record.desired.base_follows) return;
+    const Pose X_WD = X_WO_ * record.desired.X_OB;
+    const Vector3 off = X_WD.p - truth.X_WB.p;
+    const double lean = X_WD.R.col(2).cross(truth.X_WB.R.col(2)).norm();
+    summary_.off_plan_height = std::max(summary_.off_plan_height, std::abs(off.z()));
+    summary_.off_plan_sideways = std::max(summary_.off_plan_sideways, off.head<2>().norm());
+    summary_.off_plan_tilt = std::max(summary_.off_plan_tilt, std::asin(std::min(1.0, lean)));
   }
 
   void watch_motion(const GroundTruth& truth) {

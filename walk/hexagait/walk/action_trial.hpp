@@ -39,6 +39,11 @@ struct ActionSummary {
   double tilt_max = 0.0;                      ///< roll or pitch of the base, absolute [rad]
   double height_min = 0.0, height_max = 0.0;  ///< of the base's origin in the world [m]
   double odometry_position = 0.0;             ///< |odometry − truth| in the end [m]
+
+  /// How far the base was from where its plans wanted it, at most, while it followed one: up or
+  /// down, sideways [m], and how it leaned [rad]. Odometry's error is in it.
+  double off_plan_height = 0.0, off_plan_sideways = 0.0, off_plan_tilt = 0.0;
+  double foot_force_max = 0.0;   ///< largest normal force on a foot [N]
   std::uint64_t state_hash = 0;  ///< of the true pose and all joints at every tick (FNV-1a)
 
   /// The action did what it says, and nobody was hurt.

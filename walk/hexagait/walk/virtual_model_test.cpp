@@ -36,23 +36,11 @@ struct Trial {
 
   ActionSummary run(const action::Action& action, const ActionObserver& observer = {}) {
     ActionRunner runner(argos(), params);
-    const auto watch = [&](const ActionRecord& record, const GroundTruth& truth) {
-      for (const FootTruth& foot : truth.feet) peak_force = std::max(peak_force, foot.normal_force);
-      return !observer || observer(record, truth);
-    };
-    return run_action(runner, world, world.truth(), action, {}, watch);
+    return run_action(runner, world, world.truth(), action, {}, observer);
   }
 
   sim3d::World world;
   RunnerParams params;
-  double peak_force = 0.0;  ///< of any foot [N]
-};
-
-/// How far the base was from its plan, at most.
-struct PlanError {
-  double height = 0.0, sideways = 0.0;  ///< [m]
-  double tilt = 0.0;                    ///< [rad]
-  double beside_spring = 0.0;           ///< from a mass that a spring leads along the plan [m]
 };
 
 /// The law that the base is to obey, by itself: p'' = ω² (p_D − p) + 2 ζ ω (p_D' − p').
@@ -64,6 +52,12 @@ struct Spring {
     p += dt * v;
     last_D = p_D;
   }
+};
+
+/// How far the base was from its plan, and from a mass that a spring leads along it [m].
+struct PlanError {
+  ActionSummary summary;
+  double beside_spring = 0.0;
 };
 
 PlanError plan_error(const std::string& name, WholeBodyController controller) {
@@ -83,15 +77,11 @@ PlanError plan_error(const std::string& name, WholeBodyController controller) {
     begun = true;
     const Pose X_WD = X_WO * record.desired.X_OB;
     spring.follow(X_WD.p, 0.002);
-    const Vector3 e = X_WD.p - truth.X_WB.p;
-    error.height = std::max(error.height, std::abs(e.z()));
-    error.sideways = std::max(error.sideways, e.head<2>().norm());
-    const double lean = X_WD.R.col(2).cross(truth.X_WB.R.col(2)).norm();
-    error.tilt = std::max(error.tilt, std::asin(lean));
     error.beside_spring = std::max(error.beside_spring, (spring.p - truth.X_WB.p).norm());
     return true;
   };
-  EXPECT_TRUE(trial.run(action, watch).ok()) << name;
+  error.summary = trial.run(action, watch);
+  EXPECT_TRUE(error.summary.ok()) << name;
   return error;
 }
 
@@ -102,13 +92,13 @@ PlanError plan_error(const std::string& name, WholeBodyController controller) {
 TEST(VirtualModel, LeadsTheBaseAlongItsPlanAsASpringLeadsAMass) {
   for (const char* name : {"push_up_six", "look_around", "body_circle", "height"}) {
     const PlanError stiff = plan_error(name, kKinematic), soft = plan_error(name, kVirtualModel);
-    EXPECT_LT(stiff.height, 0.001) << name;
-    EXPECT_LT(stiff.sideways, 0.001) << name;
-    EXPECT_LT(stiff.tilt, 0.002) << name;
+    EXPECT_LT(stiff.summary.off_plan_height, 0.001) << name;
+    EXPECT_LT(stiff.summary.off_plan_sideways, 0.001) << name;
+    EXPECT_LT(stiff.summary.off_plan_tilt, 0.002) << name;
     EXPECT_LT(soft.beside_spring, 0.005) << name;
-    EXPECT_LT(soft.height, 0.010) << name;
-    EXPECT_LT(soft.sideways, 0.008) << name;
-    EXPECT_LT(soft.tilt, 0.035) << name;
+    EXPECT_LT(soft.summary.off_plan_height, 0.010) << name;
+    EXPECT_LT(soft.summary.off_plan_sideways, 0.008) << name;
+    EXPECT_LT(soft.summary.off_plan_tilt, 0.035) << name;
   }
 }
 
@@ -140,8 +130,9 @@ Yielding pushed(WholeBodyController controller, const Vector3& force, double sec
       yielding.slid = std::max(yielding.slid, foot.slip_path);
     return true;
   };
-  EXPECT_TRUE(trial.run(standing(1.1), watch).ok());
-  yielding.peak_force = trial.peak_force;
+  const ActionSummary summary = trial.run(standing(1.1), watch);
+  EXPECT_TRUE(summary.ok());
+  yielding.peak_force = summary.foot_force_max;
   return yielding;
 }
 
@@ -209,10 +200,11 @@ TEST(VirtualModel, HoldsByPositionsWhenItIsStopped) {
 TEST(VirtualModel, LiesDownWithoutPressingTheLegsApart) {
   const action::Action action =
       action::load_action(HEXAGAIT_SOURCE_DIR "/actions/sit_down.yaml", argos());
-  Trial stiff(kKinematic), soft(kVirtualModel);
-  EXPECT_TRUE(stiff.run(action).ok());
-  EXPECT_TRUE(soft.run(action).ok());
-  EXPECT_LT(soft.peak_force, 0.4 * stiff.peak_force);
+  const ActionSummary stiff = Trial(kKinematic).run(action),
+                      soft = Trial(kVirtualModel).run(action);
+  EXPECT_TRUE(stiff.ok());
+  EXPECT_TRUE(soft.ok());
+  EXPECT_LT(soft.foot_force_max, 0.4 * stiff.foot_force_max);
 }
 
 }  // namespace
