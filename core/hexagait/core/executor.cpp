@@ -13,6 +13,8 @@ constexpr double kEffortRamp = 0.1;
 // A base whose plan ends faster than this is to go on [m/s], [rad/s].
 constexpr double kMoving = 1e-6;
 
+bool none(const LegJoints& effort) { return effort.cwiseAbs().maxCoeff() < 1e-12; }
+
 }  // namespace
 
 Executor::Executor(const RobotModel& model, const ExecutorParams& params)
@@ -240,12 +242,13 @@ void Executor::set_joints(const RobotState& state, double dt) noexcept {
     // What asks for more than a servo can do becomes a motion as fast as it can.
     LegJoints change = wanted.q - targets_.q[i];
     bool limited = false;
-    for (int k = 0; k < leg.num_joints(); ++k) {
-      const double most = leg.limits[k].velocity * dt;
-      limited = limited || std::abs(change[k]) > most;
-      change[k] = std::clamp(change[k], -most, most);
-    }
+    for (int k = 0; k < leg.num_joints(); ++k)
+      limited = limited || std::abs(change[k]) > leg.limits[k].velocity * dt;
     if (limited) {
+      for (int k = 0; k < leg.num_joints(); ++k) {
+        const double most = leg.limits[k].velocity * dt;
+        change[k] = std::clamp(change[k], -most, most);
+      }
       wanted.q = targets_.q[i] + change;
       wanted.trig = leg_trig(leg, wanted.q);
     }
@@ -289,7 +292,7 @@ void Executor::set_efforts(const RobotState& state, double dt) noexcept {
 
     // What a plan adds comes and goes within kEffortRamp.
     const LegJoints wish = planned_effort(i, state);
-    if (wish.isZero() && planned_effort_[i].isZero()) continue;
+    if (none(wish) && none(planned_effort_[i])) continue;
     for (int k = 0; k < model_->legs[i].num_joints(); ++k) {
       const double most = model_->legs[i].limits[k].effort * dt / kEffortRamp;
       planned_effort_[i][k] += std::clamp(wish[k] - planned_effort_[i][k], -most, most);

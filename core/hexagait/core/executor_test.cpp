@@ -215,9 +215,8 @@ void command_at_random(Scene& scene, RandomSequence& random) {
 
 // No joint target jumps: a tick's change is within what the joint's speed limit allows, and qd says
 // what the targets do.
-TEST(Executor, NeverMovesAJointTargetFasterThanItsLimit) {
-  const RobotModel model = argos();
-  for (std::uint32_t trial = 0; trial < 20; ++trial) {
+void expect_speed_limits(const RobotModel& model, std::uint32_t trials) {
+  for (std::uint32_t trial = 0; trial < trials; ++trial) {
     RandomSequence random{.seed = 7, .trial = trial};
     Scene scene(model);
     for (int tick = 0; tick < 1500; ++tick) {
@@ -227,13 +226,19 @@ TEST(Executor, NeverMovesAJointTargetFasterThanItsLimit) {
       for (LegId i = 0; i < 6; ++i) {
         const LegJoints change = scene.executor.targets().q[i] - before[i];
         ASSERT_LT((change - kDt * scene.executor.targets().qd[i]).norm(), 1e-12);
-        for (int k = 0; k < 3; ++k)
+        for (int k = 0; k < model.legs[i].num_joints(); ++k)
           ASSERT_LE(std::abs(change[k]), model.legs[i].limits[k].velocity * kDt)
               << "trial " << trial << " tick " << tick << " leg " << i << " joint " << k << " "
               << to_string(scene.executor.legs()[i].phase);
       }
     }
   }
+}
+
+TEST(Executor, NeverMovesAJointTargetFasterThanItsLimit) { expect_speed_limits(argos(), 20); }
+
+TEST(Executor, NeverMovesAnyOfFourJointsFasterThanItsLimit) {
+  expect_speed_limits(load_urdf(HEXAGAIT_SOURCE_DIR "/robots/hexapod_4dof.urdf"), 3);
 }
 
 void expect_same(const Executor& a, const Executor& b) {

@@ -11,8 +11,8 @@ bool within_limits(const LegModel& leg, const LegJoints& q) noexcept {
 }
 
 LegJoints own_joints(const LegModel& leg, const LegJoints& q) noexcept {
-  LegJoints own = q;
-  for (int i = leg.num_joints(); i < kMaxLegJoints; ++i) own[i] = 0.0;
+  LegJoints own = LegJoints::Zero();
+  for (int i = 0; i < leg.num_joints(); ++i) own[i] = q[i];
   return own;
 }
 

@@ -189,6 +189,28 @@ TEST(LoadAction, ReadsFeetInCartesianSpace) {
   EXPECT_EQ(trajectory.knots[1].v, Vector3(0, 0, 1));
 }
 
+TEST(LoadAction, WantsAsManyNumbersAsTheLegHasJoints) {
+  const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/hexapod_4dof.urdf");
+  const auto load = [&](const std::string& position) {
+    return parse_action(
+        "steps:\n- step:\n  - joint_target: {name: LM, position: " + position + "}\n", "test.yaml",
+        model, {});
+  };
+  const auto target = std::get<JointTarget>(load("[0.1, 0.2, 0.3, 0.4]").steps[0].legs[0].motion);
+  EXPECT_EQ(target.target.q, leg_joints({0.1, 0.2, 0.3, 0.4}));
+  for (const auto& [position, found] : {std::pair("[0.1, 0.2, 0.3]", "3"),
+                                        std::pair("[0.1, 0.2, 0.3, 0.4, 0.5]", "5")}) {
+    try {
+      (void)load(position);
+      ADD_FAILURE() << position;
+    } catch (const InvalidInput& error) {
+      const std::string message = "position: is a list of " + std::string(found) +
+                                  "; it must be a list of 4 numbers";
+      EXPECT_NE(std::string(error.what()).find(message), std::string::npos) << error.what();
+    }
+  }
+}
+
 // deg(180) is π; values that are not given are NaN.
 TEST(LoadAction, ReadsJointTargetsFromHipToFoot) {
   const auto command = leg_command<JointTarget>(

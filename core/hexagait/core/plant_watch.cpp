@@ -26,7 +26,8 @@ bool valid(const Measurement& measurement, const RobotModel& model) noexcept {
   if (measurement.q.size() != n || measurement.contact.size() != n) return false;
   bool finite = std::isfinite(measurement.time);
   for (LegId i = 0; i < n; ++i)
-    finite = finite && measurement.q[i].head(model.legs[i].num_joints()).allFinite();
+    for (int k = 0; k < model.legs[i].num_joints(); ++k)
+      finite = finite && std::isfinite(measurement.q[i][k]);
   return finite;
 }
 

@@ -48,15 +48,18 @@ LegPlane leg_plane(const LegModel& leg, double x, double y) {
   return {q_limit, c1, s1, x * c1 + y * s1, on_axis};
 }
 
-/// q within its limits; where that moved a joint, the trig follows.
-LegSolution limited(const LegModel& leg, LegSolution solution) {
-  LegJoints q = solution.q;
-  for (int i = 0; i < 3; ++i) q[i] = std::clamp(q[i], leg.limits[i].lower, leg.limits[i].upper);
-  if (q == solution.q) return solution;
-  const bool by_rounding = within(leg.limits[0], solution.q[0]) &&
-                           within(leg.limits[1], solution.q[1]) &&
-                           within(leg.limits[2], solution.q[2]);
-  return {q, leg_trig(leg, q), solution.reachable && by_rounding};
+bool inside(const JointLimits& limits, double q) { return limits.lower <= q && q <= limits.upper; }
+
+/// Joints within their limits; where that moves one, the trig follows.
+void limit(const LegModel& leg, LegSolution& solution) {
+  LegJoints& q = solution.q;
+  if (inside(leg.limits[0], q[0]) && inside(leg.limits[1], q[1]) && inside(leg.limits[2], q[2]))
+    return;
+  for (int i = 0; i < 3; ++i) {
+    solution.reachable = solution.reachable && within(leg.limits[i], q[i]);
+    q[i] = std::clamp(q[i], leg.limits[i].lower, leg.limits[i].upper);
+  }
+  solution.trig = leg_trig(leg, q);
 }
 
 }  // namespace
@@ -135,7 +138,8 @@ LegSolution inverse_kinematics(const LegModel& leg, const Vector3& p_BF) noexcep
   solution.trig.c.head<3>() << plane.c, c2, c2 * c3 - s2 * s3;
   solution.trig.s.head<3>() << plane.s, s2, s2 * c3 + c2 * s3;
   solution.reachable = plane.contains_foot && std::abs(d - asked) < kRounding;
-  return limited(leg, solution);
+  limit(leg, solution);
+  return solution;
 }
 
 }  // namespace hexagait::yaw_pitch_pitch

@@ -29,7 +29,8 @@ struct Stance {
   Executor executor{robot, {}};
 
   explicit Stance(const Offsets& offset = shift_of_all(Vector3::Zero())) {
-    state.q = state.p_BF = state.p_OF = state.print_O = LegArray<Vector3>(6);
+    state.q = LegArray<LegJoints>(6);
+    state.p_BF = state.p_OF = state.print_O = LegArray<Vector3>(6);
     state.trig = LegArray<LegTrig>(6);
     state.contact = LegArray<bool>(6, true);
     state.X_OB = {rotation_z(0.6), {2.0, -1.0, 0.32}};

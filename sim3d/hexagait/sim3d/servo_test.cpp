@@ -85,8 +85,10 @@ TEST_F(ServoOnStand, PutsTheFeetWhereTheKinematicsSays) {
   RandomSequence random{.seed = 3};
   LegArray<LegJoints> from(6, LegJoints::Zero()), to(6, LegJoints::Zero());
   for (LegId leg = 0; leg < 6; ++leg) {
-    from[leg] = {random.uniform(-0.9, 0.9), random.uniform(-1.0, 0.5), random.uniform(0.1, 2.0)};
-    to[leg] = {random.uniform(-0.9, 0.9), random.uniform(-1.0, 0.5), random.uniform(0.1, 2.0)};
+    from[leg] = leg_joints(
+        {random.uniform(-0.9, 0.9), random.uniform(-1.0, 0.5), random.uniform(0.1, 2.0)});
+    to[leg] = leg_joints(
+        {random.uniform(-0.9, 0.9), random.uniform(-1.0, 0.5), random.uniform(0.1, 2.0)});
   }
   World world(robot_, {}, params_, from);
   const auto feet_are_at = [&](const LegArray<LegJoints>& q) {

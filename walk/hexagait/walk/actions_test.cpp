@@ -22,9 +22,10 @@ namespace fs = std::filesystem;
 const fs::path kActions = HEXAGAIT_SOURCE_DIR "/actions";
 
 const RobotModel& robot(const std::string& name) {
-  static const RobotModel argos = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  static const RobotModel quadruped = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/quadruped.urdf");
-  return name == "argos" ? argos : quadruped;
+  static std::map<std::string, RobotModel> models;
+  if (!models.contains(name))
+    models[name] = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/" + name + ".urdf");
+  return models[name];
 }
 
 struct Case {
@@ -66,7 +67,9 @@ const Case kCases[] = {
     {.action = "nod"},
     {.action = "paw"},
     {.action = "push_up", .robot = "quadruped", .least_margin = 0.03},
+    {.action = "push_up", .robot = "quadruped_rpp", .least_margin = 0.03},
     {.action = "push_up_six"},
+    {.action = "push_up_six", .robot = "hexapod_4dof"},
     {.action = "recovery", .lies_down = true},
     {.action = "ripple"},
     {.action = "sit_down", .lies_down = true, .stands_at_end = false},
@@ -78,15 +81,21 @@ const Case kCases[] = {
     {.action = "wave"},
 };
 
+// The action, and the robot where it isn't the one that it was written for.
+std::string name_of(const Case& c) {
+  const bool serial = c.robot == "hexapod_4dof" || c.robot == "quadruped_rpp";
+  return serial ? c.action + "_on_" + c.robot : c.action;
+}
+
 class Actions : public testing::TestWithParam<Case> {};
 
 INSTANTIATE_TEST_SUITE_P(All, Actions, testing::ValuesIn(kCases),
-                         [](const auto& info) { return info.param.action; });
+                         [](const auto& info) { return name_of(info.param); });
 
 TEST(ActionFiles, AreAllTested) {
   for (const fs::directory_entry& file : fs::directory_iterator(kActions)) {
     const auto is_it = [&](const Case& c) { return c.action + ".yaml" == file.path().filename(); };
-    EXPECT_EQ(std::ranges::count_if(kCases, is_it), 1) << file.path();
+    EXPECT_GE(std::ranges::count_if(kCases, is_it), 1) << file.path();
   }
 }
 

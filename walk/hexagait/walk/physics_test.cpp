@@ -144,5 +144,20 @@ TEST(Physics, StopsSafelyWhenAReadingIsNotANumberAndSaysSo) {
   EXPECT_FALSE(world.truth().base_touches_ground);
 }
 
+// As far as argos gets in this time, on legs of four joints.
+TEST(Physics, WalksOnLegsOfFourJoints) {
+  const RobotModel robot = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/hexapod_4dof.urdf");
+  sim3d::World world(robot, sim3d::parse_terrain("flat"), {}, nominal_posture(robot));
+  Walker walker(robot, {});
+  TrialOptions options;
+  options.schedule = {{0.0, Heading::straight(0.0)}};
+  options.seconds = 10.0;
+  const Summary s = run_trial(walker, world, world.truth(), options);
+  EXPECT_TRUE(s.ok());
+  EXPECT_GT(s.distance, 10.0 * 0.2);
+  EXPECT_LT(s.lateral_mean, 0.005);
+  EXPECT_LT(s.slip_p95, 0.0003);
+}
+
 }  // namespace
 }  // namespace hexagait::walk
