@@ -12,7 +12,8 @@ bool within_limits(const LegModel& leg, const LegJoints& q) noexcept {
 
 LegJoints own_joints(const LegModel& leg, const LegJoints& q) noexcept {
   LegJoints own = LegJoints::Zero();
-  for (int i = 0; i < leg.num_joints(); ++i) own[i] = q[i];
+  own.head<kMinLegJoints>() = q.head<kMinLegJoints>();
+  for (int i = kMinLegJoints; i < leg.num_joints(); ++i) own[i] = q[i];
   return own;
 }
 

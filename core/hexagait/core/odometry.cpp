@@ -149,8 +149,10 @@ void Odometry::update(RobotState& state, const LegArray<double>& footing, double
     anchor_O_[i] = trust[i] * anchor_O_[i] + (1.0 - trust[i]) * state.p_OF[i];
     if (footing[i] > 0.0) state.print_O[i] = anchor_O_[i];
   }
-  q_before_ = state.q;
-  trig_before_ = state.trig;
+  for (LegId i = 0; i < q_before_.size(); ++i) {  // of legs that there are: less than all to copy
+    q_before_[i] = state.q[i];
+    trig_before_[i] = state.trig[i];
+  }
 }
 
 // (odometry 2), over one tick.

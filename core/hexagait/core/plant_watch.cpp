@@ -25,9 +25,12 @@ bool valid(const Measurement& measurement, const RobotModel& model) noexcept {
   const int n = model.num_legs();
   if (measurement.q.size() != n || measurement.contact.size() != n) return false;
   bool finite = std::isfinite(measurement.time);
-  for (LegId i = 0; i < n; ++i)
-    for (int k = 0; k < model.legs[i].num_joints(); ++k)
-      finite = finite && std::isfinite(measurement.q[i][k]);
+  for (LegId i = 0; i < n; ++i) {
+    const LegJoints& q = measurement.q[i];
+    finite = finite && q.head<kMinLegJoints>().allFinite();
+    for (int k = kMinLegJoints; k < model.legs[i].num_joints(); ++k)
+      finite = finite && std::isfinite(q[k]);
+  }
   return finite;
 }
 

@@ -147,6 +147,30 @@ TEST_P(SerialLeg, ComesBackToTheSameJointsOnAClosedPath) {
   EXPECT_GT(rounds, 4);
 }
 
+// What is left to the nominal joints, r, can't be made smaller without moving the foot: its part
+// that J doesn't see is 0. Of legs that are dexterous there and away from their limits.
+TEST_P(SerialLeg, IsOfAllAnswersNearbyTheNearestToTheNominalJoints) {
+  int settled = 0;
+  for (int k = 0; k < 100; ++k) {
+    const LegModel leg = any_leg();
+    const Vector3 p_BF =
+        foot_by_rotations(leg, leg.q_nominal) + 0.05 * random_vector(random_).normalized();
+    LegSolution solution = inverse_kinematics(leg, p_BF);
+    for (int tick = 0; tick < 20; ++tick) solution = inverse_kinematics(leg, p_BF, solution.q);
+    bool free = solution.reachable && dexterity_by_differences(leg, solution.q) > 0.1;
+    for (int i = 0; i < leg.num_joints(); ++i)
+      free = free && leg.limits[i].lower < solution.q[i] && solution.q[i] < leg.limits[i].upper;
+    if (!free) continue;
+    ++settled;
+    const int n = leg.num_joints();
+    const Eigen::MatrixXd J = jacobian_by_differences(leg, solution.q).leftCols(n);
+    const Eigen::VectorXd r = (leg.q_nominal - solution.q).head(n);
+    const Eigen::VectorXd seen = J.transpose() * (J * J.transpose()).ldlt().solve(J * r);
+    EXPECT_LT((r - seen).norm(), 1e-5);
+  }
+  EXPECT_GT(settled, 10);
+}
+
 TEST_P(SerialLeg, DoesNotAllocate) {
   const LegModel leg = any_leg();
   const long before = allocations;
