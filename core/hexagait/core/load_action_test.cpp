@@ -198,14 +198,14 @@ TEST(LoadAction, WantsAsManyNumbersAsTheLegHasJoints) {
   };
   const auto target = std::get<JointTarget>(load("[0.1, 0.2, 0.3, 0.4]").steps[0].legs[0].motion);
   EXPECT_EQ(target.target.q, leg_joints({0.1, 0.2, 0.3, 0.4}));
-  for (const auto& [position, found] : {std::pair("[0.1, 0.2, 0.3]", "3"),
-                                        std::pair("[0.1, 0.2, 0.3, 0.4, 0.5]", "5")}) {
+  for (const auto& [position, found] :
+       {std::pair("[0.1, 0.2, 0.3]", "3"), std::pair("[0.1, 0.2, 0.3, 0.4, 0.5]", "5")}) {
     try {
       (void)load(position);
       ADD_FAILURE() << position;
     } catch (const InvalidInput& error) {
-      const std::string message = "position: is a list of " + std::string(found) +
-                                  "; it must be a list of 4 numbers";
+      const std::string message =
+          "position: is a list of " + std::string(found) + "; it must be a list of 4 numbers";
       EXPECT_NE(std::string(error.what()).find(message), std::string::npos) << error.what();
     }
   }

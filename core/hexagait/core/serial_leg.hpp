@@ -39,8 +39,8 @@ namespace hexagait::serial {
 ///
 /// A joint that Δq would take beyond a limit goes to it and is no longer free, its part of e is
 /// taken off, and Δq is solved for again. A step that doesn't bring the foot nearer is not taken,
-/// and μ rises (Levenberg and Marquardt's way). At most kMaxIterations steps; if they fail,
-/// the same once more from the nominal stance.
+/// and μ rises (Levenberg and Marquardt). At most kMaxIterations steps, γ = 0 in the second half of
+/// them; if they fail, so many with γ = 0 from `near`, and from the nominal stance.
 ///
 /// Where the target is nearer to or farther from the hip than [min_reach, max_reach], it counts as
 /// unreachable and is moved there; the answer then is a minimum of the distance, if only of those
