@@ -20,6 +20,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// " (did you mean 'nod'?)", or nothing if no word is near.
+std::string hint(const std::string& word, const std::vector<std::string>& known) {
+  const std::optional<std::string> meant = nearest_word(word, known);
+  return meant ? fmt::format(" (did you mean '{}'?)", *meant) : "";
+}
+
 std::string action_file(const std::string& action) {
   const bool is_path = action.find('/') != std::string::npos || action.ends_with(".yaml") ||
                        action.ends_with(".yml");
@@ -29,11 +35,10 @@ std::string action_file(const std::string& action) {
   if (fs::is_regular_file(file, error)) return file;
   if (fs::exists(file, error)) throw InvalidInput(fmt::format("action '{}' is not a file", action));
   const std::vector<std::string> known = known_actions();
-  const std::optional<std::string> meant = nearest_word(fs::path(action).stem().string(), known);
   throw InvalidInput(fmt::format(
       "action '{}' does not exist{}; give the path of a YAML file, or one of the actions that come "
       "with hexagait: {}",
-      action, meant ? fmt::format(" (did you mean '{}'?)", *meant) : "", fmt::join(known, ", ")));
+      action, hint(fs::path(action).stem().string(), known), fmt::join(known, ", ")));
 }
 
 std::map<std::string, std::string> placeholders(const std::vector<std::string>& set) {
@@ -79,9 +84,7 @@ WholeBodyController controller(const std::string& name) {
     if (name == to_string(known)) return known;
     words.emplace_back(to_string(known));
   }
-  const std::optional<std::string> meant = nearest_word(name, words);
-  throw InvalidInput(fmt::format("--controller is '{}'{}; it must be {}", name,
-                                 meant ? fmt::format(" (did you mean '{}'?)", *meant) : "",
+  throw InvalidInput(fmt::format("--controller is '{}'{}; it must be {}", name, hint(name, words),
                                  fmt::join(words, " or ")));
 }
 

@@ -8,6 +8,7 @@
 #include <hexagait/core/kinematics.hpp>
 #include <hexagait/core/random.hpp>
 #include <ostream>
+#include <testing/random_vector.hpp>
 #include <vector>
 
 /// Actions at random, for properties of whatever is commanded.
@@ -61,10 +62,7 @@ class ActionWriter {
     return step;
   }
 
-  Vector3 vector(double size) {
-    const double x = random_.uniform(-size, size), y = random_.uniform(-size, size);
-    return {x, y, random_.uniform(-size, size)};
-  }
+  Vector3 vector(double size) { return random_vector(random_, size); }
   Pose pose(double size) { return {rotation(vector(size)), vector(size)}; }
   FrameId frame() const { return static_cast<FrameId>(command_.frame); }
 

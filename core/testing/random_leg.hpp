@@ -6,14 +6,10 @@
 #include <hexagait/core/kinematics.hpp>
 #include <hexagait/core/random.hpp>
 #include <hexagait/core/serial_stance.hpp>
+#include <testing/random_vector.hpp>
 
 /// Serial legs of any shape, and where their feet are by a product of Eigen's rotations.
 namespace hexagait::testing {
-
-inline Vector3 random_vector(RandomSequence& random) {
-  const double x = random.uniform(-1.0, 1.0), y = random.uniform(-1.0, 1.0);
-  return {x, y, random.uniform(-1.0, 1.0)};
-}
 
 inline LegJoints random_joints(const LegModel& leg, RandomSequence& random) {
   LegJoints q = LegJoints::Zero();

@@ -5,6 +5,7 @@
 #include <hexagait/core/geometry.hpp>
 #include <hexagait/core/leg.hpp>
 #include <hexagait/core/random.hpp>
+#include <testing/random_vector.hpp>
 
 namespace hexagait::posture::testing {
 
@@ -16,10 +17,7 @@ inline LegArray<Vector3> centres() {
   return p_BC;
 }
 
-inline Vector3 random_vector(RandomSequence& random, double size) {
-  const double x = random.uniform(-size, size), y = random.uniform(-size, size);
-  return {x, y, random.uniform(-size, size)};
-}
+using hexagait::testing::random_vector;
 
 /// Feet anywhere within `size` of their centres, along each axis [m].
 inline LegArray<Vector3> random_feet(RandomSequence& random, double size) {

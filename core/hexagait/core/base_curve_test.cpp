@@ -5,13 +5,13 @@
 #include <hexagait/core/base_curve.hpp>
 #include <hexagait/core/random.hpp>
 #include <testing/counted_allocations.hpp>
+#include <testing/random_vector.hpp>
 
 namespace hexagait {
 namespace {
 
-Vector3 random_vector(RandomSequence& random, double size) {
-  return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
-}
+using testing::random_vector;
+
 Pose random_pose(RandomSequence& random, double angle) {
   const Vector3 axis = random_vector(random, 1.0).normalized();
   return {rotation(angle * axis), random_vector(random, 1.0)};

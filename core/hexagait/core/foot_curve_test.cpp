@@ -7,10 +7,13 @@
 #include <hexagait/core/random.hpp>
 #include <limits>
 #include <testing/counted_allocations.hpp>
+#include <testing/random_vector.hpp>
 #include <vector>
 
 namespace hexagait {
 namespace {
+
+using testing::random_vector;
 
 constexpr SwingProfile kProfiles[] = {SwingProfile::straight, SwingProfile::triangle,
                                       SwingProfile::square, SwingProfile::trapezoid};
@@ -29,10 +32,6 @@ struct Case {
   Vector2 plane(const Vector3& v) const { return {v.dot(u), v.dot(n)}; }
   Vector2 place(double t) const { return plane(curve.at(t).p - start.p); }
 };
-
-Vector3 random_vector(RandomSequence& random, double size) {
-  return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
-}
 
 std::vector<Vector2> polygon(SwingProfile profile, double c, double z, double h) {
   const double top = std::max(z, 0.0) + h;
