@@ -7,11 +7,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <hexagait/core/load_action.hpp>
-#include <hexagait/core/load_step_goal.hpp>
-#include <hexagait/core/nearest_word.hpp>
-#include <hexagait/core/text_file.hpp>
-#include <hexagait/core/yaml_tree.hpp>
+#include <hexagait/load/load_action.hpp>
+#include <hexagait/load/load_step_goal.hpp>
+#include <hexagait/text/invalid_input.hpp>
+#include <hexagait/text/nearest_word.hpp>
+#include <hexagait/text/text_file.hpp>
+#include <hexagait/urdf/urdf.hpp>
+#include <hexagait/yaml/yaml_tree.hpp>
 
 #include "arguments.hpp"
 

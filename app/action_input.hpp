@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/core/action.hpp>
-#include <hexagait/core/preview.hpp>
+#include <hexagait/action/action.hpp>
+#include <hexagait/script/preview.hpp>
 #include <hexagait/sim3d/terrain.hpp>
 #include <hexagait/walk/start_posture.hpp>
 #include <string>

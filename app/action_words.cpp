@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <hexagait/experiments/version.hpp>
+#include <hexagait/recording/version.hpp>
 #include <nlohmann/json.hpp>
 
 #include "words.hpp"
@@ -163,7 +163,7 @@ std::string check_json(const ActionReport& report) {
   Json json = subject(report);
   json["ok"] = !has_errors(report.ahead);
   json.update(ahead_json(report.ahead));
-  json["version"] = experiments::kVersion;
+  json["version"] = recording::kVersion;
   return json.dump(2);
 }
 
@@ -229,7 +229,7 @@ std::string run_json(const ActionReport& report) {
   json["interrupted"] = report.interrupted;
   json["check"] = ahead_json(report.ahead);
   json["state_hash"] = fmt::format("{:016x}", s.state_hash);
-  json["version"] = experiments::kVersion;
+  json["version"] = recording::kVersion;
   return json.dump(2);
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <hexagait/text/invalid_input.hpp>
 
 namespace hexagait::app {
 namespace {
@@ -155,8 +156,8 @@ sim2d::GenghisTrial genghis_trial(const WalkArguments& arguments) {
   return trial;
 }
 
-experiments::Simulation simulation(const WalkArguments& arguments, const RobotModel& robot) {
-  experiments::Simulation result;
+recording::Simulation simulation(const WalkArguments& arguments, const RobotModel& robot) {
+  recording::Simulation result;
   result.terrain = sim3d::parse_terrain(arguments.terrain);
   result.seed = seed(arguments.seed);
   if (!arguments.physics_step.empty())

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <filesystem>
-#include <hexagait/experiments/simulation.hpp>
+#include <hexagait/recording/simulation.hpp>
 #include <hexagait/sim2d/genghis.hpp>
 #include <string>
 
@@ -24,8 +24,8 @@ struct WalkArguments {
 
 /// What was typed, as a simulation.
 /// @throws InvalidInput  naming the first option that is wrong, its value, and what would be right
-[[nodiscard]] experiments::Simulation simulation(const WalkArguments& arguments,
-                                                 const RobotModel& robot);
+[[nodiscard]] recording::Simulation simulation(const WalkArguments& arguments,
+                                               const RobotModel& robot);
 
 /// The robot of the side view, which has no file.
 inline constexpr const char* kGenghis = "genghis2d";

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <hexagait/experiments/experiment.hpp>
-#include <hexagait/experiments/gnuplot.hpp>
+#include <hexagait/all/all.hpp>
 #include <hexagait/experiments/page.hpp>
+#include <hexagait/figures/gnuplot.hpp>
+#include <hexagait/text/invalid_input.hpp>
+#include <hexagait/urdf/urdf.hpp>
 
 #include "commands.hpp"
 #include "interrupt.hpp"
@@ -50,7 +52,7 @@ int experiment_command(const ExperimentArguments& arguments) {
   if (arguments.list) return list();
   const std::vector<Experiment> selection = chosen(arguments.name);
   const RobotModel robot = load_urdf(robot_file("argos"));
-  experiments::require_gnuplot();
+  figures::require_gnuplot();
   const std::atomic<bool>& interrupted = watch_interrupts();
 
   std::vector<Manifest> manifests;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <hexagait/experiments/genghis_figure.hpp>
-#include <hexagait/experiments/genghis_report.hpp>
-#include <hexagait/experiments/gnuplot.hpp>
+#include <hexagait/figures/gnuplot.hpp>
+#include <hexagait/recording/genghis_figure.hpp>
+#include <hexagait/recording/genghis_report.hpp>
 
 #include "commands.hpp"
 #include "interrupt.hpp"
@@ -14,24 +14,24 @@
 namespace hexagait::app {
 
 int genghis_command(const WalkArguments& arguments) {
-  experiments::GenghisReport report{genghis_trial(arguments), {}, false};
+  recording::GenghisReport report{genghis_trial(arguments), {}, false};
   std::optional<OutputFile> plot = output_file("--plot", arguments.plot, {".png", ".svg", ".pdf"});
   std::optional<OutputFile> trace = output_file("--trace", arguments.trace, {".csv"});
-  if (plot) experiments::require_gnuplot();
+  if (plot) figures::require_gnuplot();
   std::ofstream rows;
   if (trace) {
     rows = trace->files.open(trace->path.filename());
-    experiments::write_genghis_trace_header(rows);
+    recording::write_genghis_trace_header(rows);
   }
 
-  experiments::GenghisRecording recording;
+  recording::GenghisRecording recording;
   const std::atomic<bool>& interrupted = watch_interrupts();
   {
     Progress progress(report.trial.seconds, Progress::Measure::simulated_seconds, arguments.quiet);
     const auto observe = [&](const auto& record, const auto& truth) {
       progress.at(record.measurement.time);
       if (plot) recording.observe(record, truth);
-      if (trace) experiments::write_genghis_trace_row(rows, record, truth);
+      if (trace) recording::write_genghis_trace_row(rows, record, truth);
     };
     report.summary = sim2d::run_genghis(report.trial, observe, &interrupted);
   }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <hexagait/urdf/urdf.hpp>
+
 #include "commands.hpp"
 #include "words.hpp"
 
@@ -9,7 +11,7 @@ namespace hexagait::app {
 
 int robot_command(const std::string& robot, bool json) {
   const RobotModel model = load_urdf(robot_file(robot));
-  fmt::print("{}", json ? experiments::to_json(model) + "\n" : in_words(model));
+  fmt::print("{}", json ? recording::to_json(model) + "\n" : in_words(model));
   return kOk;
 }
 

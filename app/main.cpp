@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <hexagait/experiments/version.hpp>
+#include <hexagait/recording/version.hpp>
+#include <hexagait/text/invalid_input.hpp>
 
 #include "action_options.hpp"
 #include "commands.hpp"
@@ -166,8 +167,8 @@ void add_verify(CLI::App& app, VerifyArguments& a) {
 
 int run(int argc, char** argv) {
   CLI::App app("Reactive free-gait walking for legged robots", "hexagait");
-  app.set_version_flag("--version", std::string("hexagait ") + experiments::kVersion + " (" +
-                                        experiments::kRevision + ")");
+  app.set_version_flag("--version", std::string("hexagait ") + recording::kVersion + " (" +
+                                        recording::kRevision + ")");
   app.require_subcommand(1);
   app.footer("Each command has its own --help.");
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <hexagait/core/robot_model.hpp>
+#include <hexagait/text/invalid_input.hpp>
 
 namespace hexagait::app {
 
@@ -17,7 +17,7 @@ std::optional<OutputFile> output_file(const char* option, const std::string& nam
     throw InvalidInput(fmt::format("{} is '{}'; it must be a file that ends in {}", option, name,
                                    fmt::join(suffixes, ", ")));
   try {
-    OutputFile result{path, experiments::StagedFiles(path.parent_path())};
+    OutputFile result{path, figures::StagedFiles(path.parent_path())};
     result.files.expect(path.filename());
     return result;
   } catch (const InvalidInput& error) {

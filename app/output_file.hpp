@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/experiments/staged_files.hpp>
+#include <hexagait/figures/staged_files.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@ namespace hexagait::app {
 /// A file that an option names, and those that are written with it.
 struct OutputFile {
   std::filesystem::path path;
-  experiments::StagedFiles files;
+  figures::StagedFiles files;
 };
 
 /// Nothing without the option.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <hexagait/text/invalid_input.hpp>
 #include <vector>
 
 #include "arguments.hpp"

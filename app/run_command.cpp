@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <hexagait/experiments/action_figure.hpp>
-#include <hexagait/experiments/gnuplot.hpp>
+#include <hexagait/figures/gnuplot.hpp>
+#include <hexagait/recording/action_figure.hpp>
 #include <hexagait/sim3d/world.hpp>
 
 #include "action_words.hpp"
@@ -15,14 +15,14 @@
 namespace hexagait::app {
 namespace {
 
-using experiments::ActionRecording;
+using recording::ActionRecording;
 
 // The figure that an option asks for; drawn when all is done.
 class Figure {
  public:
   Figure(const char* option, const std::string& name)
       : file_(output_file(option, name, {".png", ".svg", ".pdf"})) {
-    if (file_) experiments::require_gnuplot();
+    if (file_) figures::require_gnuplot();
   }
 
   template <class... State>

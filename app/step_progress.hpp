@@ -3,7 +3,7 @@
 #pragma once
 
 #include <chrono>
-#include <hexagait/core/action_feedback.hpp>
+#include <hexagait/action/action_feedback.hpp>
 
 namespace hexagait::app {
 

@@ -9,6 +9,7 @@
 #include <hexagait/sweep/job_files.hpp>
 #include <hexagait/sweep/report.hpp>
 #include <hexagait/sweep/results.hpp>
+#include <hexagait/text/invalid_input.hpp>
 #include <optional>
 #include <thread>
 

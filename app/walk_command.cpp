@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <hexagait/experiments/gnuplot.hpp>
-#include <hexagait/experiments/trace.hpp>
-#include <hexagait/experiments/walk_figure.hpp>
+#include <hexagait/figures/gnuplot.hpp>
+#include <hexagait/recording/trace.hpp>
+#include <hexagait/recording/walk_figure.hpp>
+#include <hexagait/urdf/urdf.hpp>
 
 #include "commands.hpp"
 #include "interrupt.hpp"
@@ -15,7 +16,7 @@
 namespace hexagait::app {
 namespace {
 
-using experiments::WalkReport;
+using recording::WalkReport;
 
 // What is written of a walk beside its summary.
 class Writer {
@@ -25,16 +26,16 @@ class Writer {
         plot_(output_file("--plot", arguments.plot, {".png", ".svg", ".pdf"})),
         trace_(output_file("--trace", arguments.trace, {".csv"})),
         recording_({report.simulation.terrain, report.simulation.seed}) {
-    if (plot_) experiments::require_gnuplot();
+    if (plot_) figures::require_gnuplot();
     if (!trace_) return;
     rows_ = trace_->files.open(trace_->path.filename());
-    experiments::write_trace_header(rows_, robot);
+    recording::write_trace_header(rows_, robot);
   }
 
   void observe(const footstep_gen::TickRecord& record, const GroundTruth& truth,
                const walk::Referee& referee) {
     if (plot_) recording_.observe(record, truth, referee);
-    if (trace_) experiments::write_trace_row(rows_, record, truth, referee);
+    if (trace_) recording::write_trace_row(rows_, record, truth, referee);
   }
 
   void finish(const WalkReport& report) {
@@ -52,7 +53,7 @@ class Writer {
  private:
   const RobotModel& robot_;
   std::optional<OutputFile> plot_, trace_;
-  experiments::Recording recording_;
+  recording::Recording recording_;
   std::ofstream rows_;
 };
 

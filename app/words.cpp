@@ -10,10 +10,10 @@
 namespace hexagait::app {
 namespace {
 
-using experiments::Simulation;
-using experiments::WalkReport;
 using heading_control::Heading;
 using heading_control::Turn;
+using recording::Simulation;
+using recording::WalkReport;
 using walk::Summary;
 
 double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/experiments/json.hpp>
+#include <hexagait/recording/json.hpp>
 
 namespace hexagait::app {
 
@@ -13,11 +13,11 @@ namespace hexagait::app {
 [[nodiscard]] std::string ground(const sim3d::TerrainSpec& terrain);
 
 /// A walk for a person: a sentence with the verdict, then a few aligned lines.
-[[nodiscard]] std::string in_words(const experiments::WalkReport& report);
+[[nodiscard]] std::string in_words(const recording::WalkReport& report);
 
 /// A walk in a sentence, and in a line of numbers.
-[[nodiscard]] std::string headline(const experiments::WalkReport& report);
-[[nodiscard]] std::string subtitle(const experiments::WalkReport& report);
+[[nodiscard]] std::string headline(const recording::WalkReport& report);
+[[nodiscard]] std::string subtitle(const recording::WalkReport& report);
 
 /// What was recognised of a robot, for a person.
 [[nodiscard]] std::string in_words(const RobotModel& robot);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <hexagait/urdf/urdf.hpp>
 #include <testing/action_words.hpp>
 #include <testing/counted_allocations.hpp>
 #include <testing/scripted_robot.hpp>

@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include <hexagait/footstep_gen/walker.hpp>
+#include <hexagait/urdf/urdf.hpp>
 #include <testing/kinematic_plant.hpp>
 #include <vector>
 

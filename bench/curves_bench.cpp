@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <benchmark/benchmark.h>
 
-#include <hexagait/core/base_curve.hpp>
-#include <hexagait/core/foot_curve.hpp>
-#include <hexagait/core/joint_curve.hpp>
+#include <hexagait/curves/base_curve.hpp>
+#include <hexagait/curves/foot_curve.hpp>
+#include <hexagait/curves/joint_curve.hpp>
 
 // What the motion curves cost: to make them, at a change of steps, and to evaluate them, in every
 // tick.

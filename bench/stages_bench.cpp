@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <benchmark/benchmark.h>
 
-#include <hexagait/core/load_sharing.hpp>
+#include <hexagait/balance/load_sharing.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/posture/arc_optimum.hpp>
 #include <hexagait/posture/plane_fit.hpp>
+#include <hexagait/urdf/urdf.hpp>
 #include <testing/kinematic_plant.hpp>
 
 // The stages of a tick by themselves, on the state of a walk three seconds old: a tripod in the

@@ -3,9 +3,10 @@
 #include <benchmark/benchmark.h>
 
 #include <array>
-#include <hexagait/core/random.hpp>
-#include <hexagait/core/stance_pose.hpp>
-#include <hexagait/core/whole_body.hpp>
+#include <hexagait/balance/stance_pose.hpp>
+#include <hexagait/balance/whole_body.hpp>
+#include <hexagait/sim/random.hpp>
+#include <hexagait/urdf/urdf.hpp>
 
 // What BaseAuto's pose costs, which is asked for where a step changes, and what a whole-body
 // controller costs, which runs every tick.

@@ -1,29 +1,40 @@
-# hexagait::hexagait is all of the library; find_package(hexagait) brings it back after an install.
+# find_package(hexagait COMPONENTS …) brings back, after an install, what was built: a target for every
+# room and one for every component, hexagait::controller …; without components, all of them.
+
+set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/hexagait)
+set(robots_dir ${CMAKE_INSTALL_DATADIR}/hexagait/robots)
 
 add_library(hexagait INTERFACE)
 add_library(hexagait::hexagait ALIAS hexagait)
-get_property(directories DIRECTORY PROPERTY SUBDIRECTORIES)
-foreach(directory IN LISTS directories)
-  cmake_path(GET directory FILENAME module)
-  if(TARGET hexagait_${module})
-    get_target_property(name hexagait_${module} EXPORT_NAME)  # hexagait_module() gives one
-    if(name STREQUAL module)
-      target_link_libraries(hexagait INTERFACE hexagait_${module})
-    endif()
+set(components)
+foreach(component controller sim verify urdf actions sim2d sim3d walk figures sweeps)
+  get_property(rooms GLOBAL PROPERTY hexagait_rooms_of_${component})
+  if(NOT rooms)
+    continue()
   endif()
+  list(APPEND components ${component})
+  if(NOT component IN_LIST rooms)  # several rooms, or one of another name
+    add_library(hexagait_${component} INTERFACE)
+    add_library(hexagait::${component} ALIAS hexagait_${component})
+    set_target_properties(hexagait_${component} PROPERTIES EXPORT_NAME ${component})
+    list(TRANSFORM rooms PREPEND hexagait_)
+    target_link_libraries(hexagait_${component} INTERFACE ${rooms})
+    install(TARGETS hexagait_${component} EXPORT hexagait-${component}-targets COMPONENT ${component})
+  endif()
+  target_link_libraries(hexagait INTERFACE hexagait_${component})
+  install(EXPORT hexagait-${component}-targets NAMESPACE hexagait:: DESTINATION ${config_dir}
+          COMPONENT ${component})
 endforeach()
 install(TARGETS hexagait EXPORT hexagait-targets)
+install(EXPORT hexagait-targets NAMESPACE hexagait:: DESTINATION ${config_dir})
 
 include(CMakePackageConfigHelpers)
-set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/hexagait)
-set(robots_dir ${CMAKE_INSTALL_DATADIR}/hexagait/robots)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/hexagaitConfig.cmake.in hexagaitConfig.cmake
                               INSTALL_DESTINATION ${config_dir} PATH_VARS robots_dir)
 write_basic_package_version_file(hexagaitConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/hexagaitConfig.cmake
               ${PROJECT_BINARY_DIR}/hexagaitConfigVersion.cmake
         DESTINATION ${config_dir})
-install(EXPORT hexagait-targets NAMESPACE hexagait:: DESTINATION ${config_dir})
 
 install(DIRECTORY robots/ DESTINATION ${robots_dir})
 install(DIRECTORY actions/ DESTINATION ${CMAKE_INSTALL_DATADIR}/hexagait/actions)
@@ -37,7 +48,7 @@ if(PROJECT_IS_TOP_LEVEL)
   set(CPACK_PACKAGE_CONTACT "The hexagait authors")
   set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
   set(CPACK_DEBIAN_PACKAGE_DEPENDS
-      "libeigen3-dev, libfmt-dev, libode-dev, liburdfdom-dev, libyaml-cpp-dev, pkg-config")
+      "libbox2d-dev, libeigen3-dev, libfmt-dev, libode-dev, liburdfdom-dev, libyaml-cpp-dev, nlohmann-json3-dev, pkg-config, gnuplot-nox")
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
   include(CPack)
 endif()

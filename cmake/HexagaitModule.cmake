@@ -1,31 +1,45 @@
-# hexagait_module(NAME  SOURCES … [TESTS …] [PUBLIC …] [PRIVATE …])
+# hexagait_module(NAME  COMPONENT … SOURCES … [TESTS …] [TEST_LIBRARIES …] [PUBLIC …] [PRIVATE …])
 #
-# A library target hexagait::NAME with its tests. Headers, sources and tests lie side by side in
-# NAME/hexagait/NAME, and NAME/ is the module's include root: a module can include only what it
-# links to, and headers are spelt the same in the tree and when installed.
-function(hexagait_warnings target)
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion
+# A room: a library target hexagait::NAME with its tests. Headers, sources and tests lie side by side
+# in hexagait/NAME below the room's folder, which is its include root: a room can include only what
+# it links to, and headers are spelt the same in the tree and when installed. COMPONENT is the one of
+# find_package(hexagait COMPONENTS …) that brings it; what lies in detail/ is not installed.
+
+# Warnings, and no fused multiply-add: the same bits from every optimisation level that keeps IEEE
+# arithmetic. For our own targets only: neither is handed on to users.
+function(hexagait_options target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -ffp-contract=off
                          $<$<BOOL:${HEXAGAIT_WERROR}>:-Werror>)
 endfunction()
 
 function(hexagait_module name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;TESTS;TEST_LIBRARIES;PUBLIC;PRIVATE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "COMPONENT" "SOURCES;TESTS;TEST_LIBRARIES;PUBLIC;PRIVATE")
   list(TRANSFORM arg_SOURCES PREPEND hexagait/${name}/)
   list(TRANSFORM arg_TESTS PREPEND hexagait/${name}/)
 
-  add_library(hexagait_${name} STATIC ${arg_SOURCES})
+  set(scope PUBLIC)
+  set(private PRIVATE)
+  if(arg_SOURCES)
+    add_library(hexagait_${name} STATIC ${arg_SOURCES})
+    set_target_properties(hexagait_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    hexagait_options(hexagait_${name})
+    target_link_libraries(hexagait_${name} PRIVATE ${arg_PRIVATE})
+  else()
+    set(scope INTERFACE)
+    add_library(hexagait_${name} INTERFACE)
+  endif()
   add_library(hexagait::${name} ALIAS hexagait_${name})
-  set_target_properties(hexagait_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
-  target_compile_features(hexagait_${name} PUBLIC cxx_std_20)
-  # No fused multiply-add: the same bits from every optimisation level that keeps IEEE arithmetic.
-  target_compile_options(hexagait_${name} PUBLIC -ffp-contract=off)
-  target_include_directories(hexagait_${name} PUBLIC
+  set_target_properties(hexagait_${name} PROPERTIES EXPORT_NAME ${name})
+  target_compile_features(hexagait_${name} ${scope} cxx_std_20)
+  target_include_directories(hexagait_${name} ${scope}
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-  target_link_libraries(hexagait_${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
-  hexagait_warnings(hexagait_${name})
+  target_link_libraries(hexagait_${name} ${scope} ${arg_PUBLIC})
+  set_property(GLOBAL APPEND PROPERTY hexagait_rooms_of_${arg_COMPONENT} ${name})
 
-  install(TARGETS hexagait_${name} EXPORT hexagait-targets)
+  install(TARGETS hexagait_${name} EXPORT hexagait-${arg_COMPONENT}-targets
+          COMPONENT ${arg_COMPONENT})
   install(DIRECTORY hexagait/${name} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hexagait
+          COMPONENT ${arg_COMPONENT}
           FILES_MATCHING PATTERN "*.hpp" PATTERN "detail" EXCLUDE)
 
   if(HEXAGAIT_TESTS AND arg_TESTS)
@@ -40,10 +54,9 @@ function(hexagait_precompiled target)
     file(CONFIGURE OUTPUT test_headers.cpp CONTENT "")
     add_library(hexagait_test_headers OBJECT ${CMAKE_CURRENT_BINARY_DIR}/test_headers.cpp)
     target_compile_features(hexagait_test_headers PRIVATE cxx_std_20)
-    target_compile_options(hexagait_test_headers PRIVATE -ffp-contract=off)
     target_link_libraries(hexagait_test_headers PRIVATE Eigen3::Eigen GTest::gmock)
     target_precompile_headers(hexagait_test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h> <Eigen/Geometry>)
-    hexagait_warnings(hexagait_test_headers)
+    hexagait_options(hexagait_test_headers)
   endif()
   target_precompile_headers(${target} REUSE_FROM hexagait_test_headers)
 endfunction()
@@ -52,6 +65,7 @@ endfunction()
 function(hexagait_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
   add_executable(${name} ${arg_SOURCES})
+  target_compile_features(${name} PRIVATE cxx_std_20)
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gmock_main)
   hexagait_precompiled(${name})
   # Only where it is used: elsewhere ccache finds what another clone has compiled.
@@ -62,6 +76,6 @@ function(hexagait_test name)
                                   HEXAGAIT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     endif()
   endforeach()
-  hexagait_warnings(${name})
+  hexagait_options(${name})
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST)
 endfunction()

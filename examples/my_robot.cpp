@@ -7,6 +7,8 @@
 #include <csignal>
 #include <cstdio>
 #include <hexagait/footstep_gen/walker.hpp>
+#include <hexagait/text/invalid_input.hpp>
+#include <hexagait/urdf/urdf.hpp>
 
 #include "robot_link.hpp"
 

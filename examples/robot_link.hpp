@@ -5,7 +5,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <hexagait/core/plant.hpp>
+#include <hexagait/plant/plant.hpp>
 
 // How the two example processes talk: fixed-size packets of doubles over a pipe that keeps packets
 // apart. A stand-in for the bus, the shared memory or the middleware of a real robot.

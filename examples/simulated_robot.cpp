@@ -5,8 +5,10 @@
 // the clock: it sends its state, waits for targets, moves on by one control period, and says at the
 // end how far it got.                                              simulated_robot ROBOT.urdf
 #include <cstdio>
-#include <hexagait/core/kinematics.hpp>
+#include <hexagait/model/kinematics.hpp>
 #include <hexagait/sim3d/world.hpp>
+#include <hexagait/text/invalid_input.hpp>
+#include <hexagait/urdf/urdf.hpp>
 
 #include "robot_link.hpp"
 

@@ -3,7 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <hexagait/core/load_step_goal.hpp>
+#include <hexagait/load/load_step_goal.hpp>
+#include <hexagait/text/invalid_input.hpp>
 
 #include "three_joint_robot.hpp"
 

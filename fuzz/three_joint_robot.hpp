@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/core/robot_model.hpp>
+#include <hexagait/model/robot_model.hpp>
 
 namespace hexagait {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/core/action.hpp>
+#include <hexagait/action/action.hpp>
 #include <initializer_list>
 
 /// Short words for the actions of tests.

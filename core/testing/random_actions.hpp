@@ -4,9 +4,9 @@
 
 #include <rapidcheck.h>
 
-#include <hexagait/core/action.hpp>
-#include <hexagait/core/kinematics.hpp>
-#include <hexagait/core/random.hpp>
+#include <hexagait/action/action.hpp>
+#include <hexagait/model/kinematics.hpp>
+#include <hexagait/sim/random.hpp>
 #include <ostream>
 #include <testing/random_vector.hpp>
 #include <vector>

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <hexagait/core/kinematics.hpp>
-#include <hexagait/core/random.hpp>
-#include <hexagait/core/serial_stance.hpp>
+#include <hexagait/model/kinematics.hpp>
+#include <hexagait/model/serial_stance.hpp>
+#include <hexagait/sim/random.hpp>
 #include <testing/random_vector.hpp>
 
 /// Serial legs of any shape, and where their feet are by a product of Eigen's rotations.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/core/geometry.hpp>
-#include <hexagait/core/random.hpp>
+#include <hexagait/math/geometry.hpp>
+#include <hexagait/sim/random.hpp>
 
 namespace hexagait::testing {
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <functional>
-#include <hexagait/core/action_runner.hpp>
-#include <hexagait/core/preview.hpp>
+#include <hexagait/script/action_runner.hpp>
+#include <hexagait/script/preview.hpp>
 
 /// For tests of scripted actions.
 namespace hexagait::testing {

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <hexagait/core/stance_pose.hpp>
+#include <hexagait/balance/stance_pose.hpp>
 #include <vector>
 
 namespace hexagait::testing {

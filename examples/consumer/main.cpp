@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
-#include <hexagait/core/kinematics.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
+#include <hexagait/model/kinematics.hpp>
+#include <hexagait/urdf/urdf.hpp>
 
 // Loads a robot, stands it on its workspace centres and asks which legs step first.
 int main() {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/core/kinematics.hpp>
-#include <hexagait/core/random.hpp>
-#include <hexagait/core/workspace.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
+#include <hexagait/model/kinematics.hpp>
+#include <hexagait/model/workspace.hpp>
+#include <hexagait/sim/random.hpp>
 
 /// For tests and benchmarks: a robot of n legs, and a world without dynamics. (Not inlined: GCC 12
 /// would see that the places of absent legs are copied uninitialised, and warn.)

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/core/geometry.hpp>
-#include <hexagait/core/leg.hpp>
-#include <hexagait/core/random.hpp>
+#include <hexagait/math/geometry.hpp>
+#include <hexagait/math/leg.hpp>
+#include <hexagait/sim/random.hpp>
 #include <testing/random_vector.hpp>
 
 namespace hexagait::posture::testing {

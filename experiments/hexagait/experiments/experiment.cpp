@@ -3,37 +3,12 @@
 #include <fmt/format.h>
 
 #include <hexagait/experiments/experiment.hpp>
+#include <hexagait/text/invalid_input.hpp>
 #include <ostream>
 
 namespace hexagait::experiments {
 
 namespace fs = std::filesystem;
-
-const std::vector<Experiment>& experiments() {
-  static const std::vector<Experiment> all = {
-      {"table1", "[PC04] Table 1: the gait states by circularity number and type", table1},
-      {"table2", "[PC04] Table 2: how the tripod gait comes about", table2},
-      {"fig3", "[PC04] Fig. 3: wave gaits, and the types of their gait states", fig3},
-      {"fig4", "[PC04] Fig. 4: transitions between the gait states with CCN = 3", fig4},
-      {"fig6", "[PC04] Fig. 6: the first steps, of three gait generators", fig6},
-      {"fig7a", "[PC04] Fig. 7-A: mean speed on flat ground", fig7a},
-      {"fig7b", "[PC04] Fig. 7-B: mean speed on rough ground", fig7b},
-      {"fig7_physics", "[PC04] Fig. 7 once more: Genghis in Box2D, on rougher and rougher ground",
-       fig7_physics},
-      {"fig9", "[PC04] Fig. 9: straight lines, a turn in place and a curve, on flat ground", fig9},
-      {"fig10", "[PC04] Fig. 10: a turn to the left on abrupt terrain", fig10},
-      {"wave_family",
-       "[PC04] 3.2: wave gaits of every duty factor, 1/2 to 5/6 and back, in one walk",
-       wave_family},
-      {"fg16_fig6", "[FG16] Fig. 6: up a step by footholds in the map, pushed and blocked",
-       fg16_fig6},
-      {"fg16_fig7",
-       "[FG16] Fig. 7: localisation that jumps, odometry that drifts, and both combined",
-       fg16_fig7},
-      {"walks", "the walks by which the controller is judged: headings, postures, terrain", walks},
-  };
-  return all;
-}
 
 Manifest run(const Experiment& experiment, const ExperimentContext& context, const fs::path& out) {
   const fs::path directory = out / experiment.name;
@@ -43,7 +18,7 @@ Manifest run(const Experiment& experiment, const ExperimentContext& context, con
     throw InvalidInput(
         fmt::format("can't make the directory '{}': {}", directory.string(), error.message()));
 
-  StagedFiles files(directory);
+  figures::StagedFiles files(directory);
   Manifest manifest{experiment.name, experiment.title, experiment.run(context, files), {}};
   if (context.stop != nullptr && context.stop->load()) return manifest;
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <hexagait/experiments/page.hpp>
-#include <hexagait/experiments/version.hpp>
+#include <hexagait/recording/version.hpp>
 #include <iterator>
 
 namespace hexagait::experiments {
@@ -102,7 +102,7 @@ std::string row_html(const std::vector<std::string>& cells, const char* tag) {
   return html + "</tr>\n";
 }
 
-std::string table_html(const Table& table) {
+std::string table_html(const figures::Table& table) {
   if (table.rows.empty()) return {};
   std::string html =
       "<details><summary>Numbers</summary>\n<table>\n" + row_html(table.header, "th");
@@ -150,7 +150,7 @@ std::string overview_html(const std::vector<Manifest>& manifests) {
 }  // namespace
 
 void write_page(const std::vector<Manifest>& manifests, const fs::path& out) {
-  StagedFiles files(out);
+  figures::StagedFiles files(out);
   std::ofstream page = files.create("index.html");
   page << kHead << "<h1>Figures, tables and claims, made again</h1>\n"
        << "<p class=\"lead\">Experiments of J. M. Porta and E. Celaya, <i>Reactive Free-Gait "
@@ -159,7 +159,7 @@ void write_page(const std::vector<Manifest>& manifests, const fs::path& out) {
           "et "
           "al., <i>Free Gait – An Architecture for the Versatile Control of Legged Robots</i> "
           "[FG16], with hexagait "
-       << kVersion << " (" << kRevision
+       << recording::kVersion << " (" << recording::kRevision
        << "). What does not hold is said so, with the numbers.</p>\n"
        << overview_html(manifests);
   for (const Manifest& manifest : manifests) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <filesystem>
-#include <hexagait/experiments/json.hpp>
+#include <hexagait/experiments/verdict.hpp>
 #include <vector>
 
 namespace hexagait::experiments {

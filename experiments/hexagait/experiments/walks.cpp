@@ -17,13 +17,13 @@ using heading_control::Turn;
 
 struct Walk {
   std::string group, name;
-  Simulation simulation;
+  recording::Simulation simulation;
   double max_lateral = 0.0;  ///< bound on the mean distance from the path [m]; 0: none
   walk::Summary summary;
 };
 
-Simulation flat(const Heading& heading, double seconds) {
-  Simulation simulation;
+recording::Simulation flat(const Heading& heading, double seconds) {
+  recording::Simulation simulation;
   simulation.trial.schedule = {{0.0, heading}};
   simulation.trial.seconds = seconds;
   return simulation;
@@ -45,7 +45,7 @@ void add_headings(std::vector<Walk>& walks) {
 
 void add_postures(std::vector<Walk>& walks) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    Simulation simulation = flat(Heading::straight(0.0), 20.0);
+    recording::Simulation simulation = flat(Heading::straight(0.0), 20.0);
     simulation.seed = seed;
     simulation.random_posture = 0.10;
     walks.push_back({"posture", fmt::format("seed {}", seed), simulation, 0.0, {}});
@@ -54,7 +54,7 @@ void add_postures(std::vector<Walk>& walks) {
 
 void add_random_commands(std::vector<Walk>& walks) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    Simulation simulation;
+    recording::Simulation simulation;
     simulation.seed = seed;
     simulation.trial.schedule = walk::random_schedule(seed, 1.0, 120.0);
     simulation.trial.seconds = 120.0;
@@ -64,7 +64,7 @@ void add_random_commands(std::vector<Walk>& walks) {
 
 void add_terrain(std::vector<Walk>& walks, const std::string& terrain) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    Simulation simulation = flat(Heading::straight(0.0), 90.0);
+    recording::Simulation simulation = flat(Heading::straight(0.0), 90.0);
     simulation.seed = seed;
     simulation.terrain = sim3d::parse_terrain(terrain);
     simulation.trial.distance = 5.0;
@@ -85,12 +85,12 @@ void write_table(std::ostream& out, const std::vector<Walk>& walks) {
 }
 
 // Largest of a figure over the walks of a group.
-template <class Figure>
-double worst(const std::vector<Walk>& walks, const std::string& group, Figure figure) {
-  double value = 0.0;
+template <class Value>
+double worst(const std::vector<Walk>& walks, const std::string& group, Value value) {
+  double most = 0.0;
   for (const Walk& walk : walks)
-    if (walk.group == group) value = std::max(value, static_cast<double>(figure(walk)));
-  return value;
+    if (walk.group == group) most = std::max(most, static_cast<double>(value(walk)));
+  return most;
 }
 
 Verdict judge_headings(const std::vector<Walk>& walks) {
@@ -148,7 +148,7 @@ Verdict judge_terrain(const std::vector<Walk>& walks, const std::string& terrain
 
 }  // namespace
 
-Outcome walks(const ExperimentContext& context, StagedFiles& files) {
+Outcome walks(const ExperimentContext& context, figures::StagedFiles& files) {
   std::vector<Walk> walks;
   add_headings(walks);
   add_postures(walks);
@@ -158,14 +158,15 @@ Outcome walks(const ExperimentContext& context, StagedFiles& files) {
 
   for (std::size_t k = 0; k < walks.size(); ++k) {
     if (context.stop != nullptr && context.stop->load()) break;
-    walks[k].summary = simulate(*context.robot, walks[k].simulation, {}, context.stop);
+    walks[k].summary = recording::simulate(*context.robot, walks[k].simulation, {}, context.stop);
     if (context.progress)
       context.progress(static_cast<double>(k + 1) / static_cast<double>(walks.size()));
   }
   std::ofstream table = files.create("walks.csv");
   write_table(table, walks);
 
-  return {.walk = WalkReport{context.robot->name, walks.front().simulation, walks.front().summary},
+  return {.walk = recording::WalkReport{context.robot->name, walks.front().simulation,
+                                        walks.front().summary},
           .verdicts = {judge_headings(walks), judge_postures(walks), judge_commands(walks),
                        judge_terrain(walks, "boxes:0.10"), judge_terrain(walks, "steps:0.10")}};
 }

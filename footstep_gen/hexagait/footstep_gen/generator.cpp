@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <hexagait/core/support_polygon.hpp>
+#include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/footstep_gen/generator.hpp>
 #include <hexagait/posture/arc_optimum.hpp>
 #include <hexagait/posture/plane_fit.hpp>

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/core/executor.hpp>
-#include <hexagait/core/plant_watch.hpp>
-#include <hexagait/core/robot_state.hpp>
+#include <hexagait/executor/executor.hpp>
 #include <hexagait/gait_state/latch.hpp>
 #include <hexagait/heading_control/heading.hpp>
 #include <hexagait/heading_control/path_arc.hpp>
+#include <hexagait/plant/plant_watch.hpp>
+#include <hexagait/plant/robot_state.hpp>
 
 namespace hexagait::footstep_gen {
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/core/plant_watch.hpp>
-#include <hexagait/core/state_estimator.hpp>
+#include <hexagait/executor/state_estimator.hpp>
 #include <hexagait/footstep_gen/generator.hpp>
 #include <hexagait/footstep_gen/tick_record.hpp>
 #include <hexagait/gait_state/stepper.hpp>
 #include <hexagait/heading_control/path_tracker.hpp>
+#include <hexagait/plant/plant_watch.hpp>
 
 namespace hexagait::footstep_gen {
 

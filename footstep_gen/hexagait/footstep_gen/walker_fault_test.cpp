@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <hexagait/footstep_gen/walker.hpp>
+#include <hexagait/text/invalid_input.hpp>
+#include <hexagait/urdf/urdf.hpp>
 #include <limits>
 #include <testing/kinematic_plant.hpp>
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/gait_state/ring.hpp>
+#include <hexagait/urdf/urdf.hpp>
 #include <testing/kinematic_plant.hpp>
 #include <vector>
 

@@ -4,6 +4,7 @@
 
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/heading_control/twist.hpp>
+#include <hexagait/urdf/urdf.hpp>
 #include <limits>
 #include <testing/kinematic_plant.hpp>
 #include <vector>

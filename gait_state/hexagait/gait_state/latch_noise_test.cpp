@@ -4,8 +4,8 @@
 
 #include <bit>
 #include <cmath>
-#include <hexagait/core/random.hpp>
 #include <hexagait/gait_state/latch.hpp>
+#include <hexagait/sim/random.hpp>
 
 // Sensor noise at the rate of the control loop must not re-decide relations: each decision wipes
 // out the adjustment of that relation.

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <hexagait/core/random.hpp>
 #include <hexagait/gait_state/latch.hpp>
+#include <hexagait/sim/random.hpp>
 #include <vector>
 
 // The latch against a second implementation that goes edge by edge and leg by leg, in words.

@@ -4,8 +4,8 @@
 
 #include <cmath>
 #include <functional>
-#include <hexagait/core/random.hpp>
 #include <hexagait/gait_state/latch.hpp>
+#include <hexagait/sim/random.hpp>
 #include <string>
 #include <vector>
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cassert>
 #include <cstdint>
-#include <hexagait/core/leg.hpp>
+#include <hexagait/math/leg.hpp>
 
 /// The ring: the clockwise circuit around the robot, seen from above, in which neighbours are legs
 /// that must not be in the air together ([PC04] 3.1, Fig. 2).

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/core/leg.hpp>
+#include <hexagait/math/leg.hpp>
 #include <optional>
 #include <vector>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/core/geometry.hpp>
+#include <hexagait/math/geometry.hpp>
 
 namespace hexagait::heading_control {
 

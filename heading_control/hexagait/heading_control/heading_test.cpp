@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <hexagait/core/random.hpp>
 #include <hexagait/heading_control/heading.hpp>
+#include <hexagait/sim/random.hpp>
 #include <limits>
 #include <stdexcept>
 #include <string>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/core/leg.hpp>
-#include <hexagait/core/planar.hpp>
-#include <hexagait/core/robot_model.hpp>
 #include <hexagait/heading_control/heading.hpp>
+#include <hexagait/math/leg.hpp>
+#include <hexagait/math/planar.hpp>
+#include <hexagait/model/robot_model.hpp>
 
 namespace hexagait::heading_control {
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <hexagait/core/random.hpp>
 #include <hexagait/heading_control/path_arc.hpp>
+#include <hexagait/sim/random.hpp>
 
 namespace hexagait::heading_control {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/core/planar.hpp>
+#include <hexagait/math/planar.hpp>
 
 namespace hexagait::heading_control {
 

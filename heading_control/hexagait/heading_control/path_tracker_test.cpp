@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <hexagait/core/geometry.hpp>
-#include <hexagait/core/random.hpp>
 #include <hexagait/heading_control/path_tracker.hpp>
+#include <hexagait/math/geometry.hpp>
+#include <hexagait/sim/random.hpp>
 #include <numbers>
 #include <vector>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/core/planar.hpp>
 #include <hexagait/heading_control/path_arc.hpp>
+#include <hexagait/math/planar.hpp>
 
 namespace hexagait::heading_control {
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <hexagait/core/random.hpp>
 #include <hexagait/heading_control/twist.hpp>
+#include <hexagait/sim/random.hpp>
 #include <limits>
 
 namespace hexagait::heading_control {

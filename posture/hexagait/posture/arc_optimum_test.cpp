@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <hexagait/core/random.hpp>
 #include <hexagait/posture/arc_optimum.hpp>
 #include <hexagait/posture/posture_error.hpp>
+#include <hexagait/sim/random.hpp>
 #include <testing/random_feet.hpp>
 
 namespace hexagait::posture {

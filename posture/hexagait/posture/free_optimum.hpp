@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/core/geometry.hpp>
-#include <hexagait/core/leg.hpp>
+#include <hexagait/math/geometry.hpp>
+#include <hexagait/math/leg.hpp>
 
 namespace hexagait::posture {
 

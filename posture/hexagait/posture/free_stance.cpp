@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <hexagait/core/kinematics.hpp>
-#include <hexagait/core/support_polygon.hpp>
+#include <hexagait/balance/support_polygon.hpp>
+#include <hexagait/model/kinematics.hpp>
 #include <hexagait/posture/free_optimum.hpp>
 #include <hexagait/posture/free_stance.hpp>
 

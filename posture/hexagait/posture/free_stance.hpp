@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/core/stance_pose.hpp>
+#include <hexagait/balance/stance_pose.hpp>
 
 namespace hexagait::posture {
 

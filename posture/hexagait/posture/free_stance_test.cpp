@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <hexagait/core/action_runner.hpp>
-#include <hexagait/core/preview.hpp>
-#include <hexagait/core/random.hpp>
 #include <hexagait/posture/free_stance.hpp>
+#include <hexagait/script/action_runner.hpp>
+#include <hexagait/script/preview.hpp>
+#include <hexagait/sim/random.hpp>
+#include <hexagait/urdf/urdf.hpp>
 
 namespace hexagait::posture {
 namespace {

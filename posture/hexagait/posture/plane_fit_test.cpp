@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/QR>
-#include <hexagait/core/random.hpp>
 #include <hexagait/posture/plane_fit.hpp>
 #include <hexagait/posture/posture_error.hpp>
+#include <hexagait/sim/random.hpp>
 #include <testing/random_feet.hpp>
 
 namespace hexagait::posture {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/core/leg.hpp>
-#include <hexagait/core/planar.hpp>
+#include <hexagait/math/leg.hpp>
+#include <hexagait/math/planar.hpp>
 
 /// How the body is best held over feet that stand where they stand ([PC04] 4). Legs move best from
 /// the middle of their workspaces, so the body goes where the feet are nearest to the workspace

@@ -4,8 +4,8 @@
 
 #include <Eigen/Geometry>
 #include <functional>
-#include <hexagait/core/random.hpp>
 #include <hexagait/posture/posture_error.hpp>
+#include <hexagait/sim/random.hpp>
 #include <testing/random_feet.hpp>
 
 namespace hexagait::posture {

@@ -4,12 +4,12 @@
 #include <bit>
 #include <cmath>
 #include <ctime>
-#include <hexagait/core/fnv1a.hpp>
-#include <hexagait/core/random.hpp>
-#include <hexagait/core/violations.hpp>
 #include <hexagait/gait_state/ring.hpp>
 #include <hexagait/gait_state/tripod_gait.hpp>
+#include <hexagait/sim/fnv1a.hpp>
+#include <hexagait/sim/random.hpp>
 #include <hexagait/sim2d/genghis.hpp>
+#include <hexagait/text/violations.hpp>
 
 namespace hexagait::sim2d {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <hexagait/core/geometry.hpp>
-#include <hexagait/core/leg.hpp>
+#include <hexagait/math/geometry.hpp>
+#include <hexagait/math/leg.hpp>
 #include <hexagait/sim2d/terrain2d.hpp>
 
 /// Genghis II seen from its left ([PC04] 5, Fig. 5): x forward, z up, pitch positive nose up.

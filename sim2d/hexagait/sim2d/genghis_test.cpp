@@ -3,9 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <hexagait/core/robot_model.hpp>
 #include <hexagait/gait_state/ring.hpp>
+#include <hexagait/model/robot_model.hpp>
 #include <hexagait/sim2d/genghis.hpp>
+#include <hexagait/text/invalid_input.hpp>
 
 // Physics differs in its last bits from compiler to compiler, and a walk over steps with it: bounds
 // are wide where a walk is long.

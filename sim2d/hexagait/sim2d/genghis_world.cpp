@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <hexagait/core/violations.hpp>
 #include <hexagait/sim2d/detail/ground_chains.hpp>
 #include <hexagait/sim2d/genghis_world.hpp>
+#include <hexagait/text/violations.hpp>
 #include <limits>
 
 namespace hexagait::sim2d {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <bit>
-#include <hexagait/core/fnv1a.hpp>
-#include <hexagait/core/random.hpp>
+#include <hexagait/sim/fnv1a.hpp>
+#include <hexagait/sim/random.hpp>
 #include <hexagait/sim2d/slice_model.hpp>
 #include <limits>
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <hexagait/core/random.hpp>
+#include <hexagait/sim/random.hpp>
 #include <hexagait/sim2d/slice_terrain.hpp>
 
 namespace hexagait::sim2d {

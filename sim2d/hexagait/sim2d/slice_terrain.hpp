@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <hexagait/core/leg.hpp>
+#include <hexagait/math/leg.hpp>
 #include <optional>
 #include <string>
 #include <string_view>

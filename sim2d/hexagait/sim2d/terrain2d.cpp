@@ -3,10 +3,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <hexagait/core/height.hpp>
-#include <hexagait/core/random.hpp>
-#include <hexagait/core/robot_model.hpp>
+#include <hexagait/sim/height.hpp>
+#include <hexagait/sim/random.hpp>
 #include <hexagait/sim2d/terrain2d.hpp>
+#include <hexagait/text/invalid_input.hpp>
 
 namespace hexagait::sim2d {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <hexagait/core/geometry.hpp>
+#include <hexagait/math/geometry.hpp>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -3,8 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <hexagait/core/robot_model.hpp>
+#include <hexagait/model/robot_model.hpp>
 #include <hexagait/sim2d/terrain2d.hpp>
+#include <hexagait/text/invalid_input.hpp>
 
 namespace hexagait::sim2d {
 namespace {

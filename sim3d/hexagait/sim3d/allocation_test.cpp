@@ -3,8 +3,9 @@
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 
-#include <hexagait/core/kinematics.hpp>
+#include <hexagait/model/kinematics.hpp>
 #include <hexagait/sim3d/world.hpp>
+#include <hexagait/urdf/urdf.hpp>
 #include <testing/counted_allocations.hpp>
 
 namespace hexagait::sim3d {

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <hexagait/core/kinematics.hpp>
-#include <hexagait/core/random.hpp>
+#include <hexagait/model/kinematics.hpp>
+#include <hexagait/sim/random.hpp>
 #include <hexagait/sim3d/world.hpp>
+#include <hexagait/urdf/urdf.hpp>
 
 // Argos on a test stand, its legs free in the air: closed forms of the joint servos.
 

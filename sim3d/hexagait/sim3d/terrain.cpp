@@ -4,10 +4,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <hexagait/core/height.hpp>
-#include <hexagait/core/random.hpp>
-#include <hexagait/core/robot_model.hpp>
+#include <hexagait/sim/height.hpp>
+#include <hexagait/sim/random.hpp>
 #include <hexagait/sim3d/terrain.hpp>
+#include <hexagait/text/invalid_input.hpp>
 
 namespace hexagait::sim3d {
 namespace {

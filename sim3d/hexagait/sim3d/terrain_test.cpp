@@ -3,9 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <hexagait/core/random.hpp>
-#include <hexagait/core/robot_model.hpp>
+#include <hexagait/model/robot_model.hpp>
+#include <hexagait/sim/random.hpp>
 #include <hexagait/sim3d/terrain.hpp>
+#include <hexagait/text/invalid_input.hpp>
 #include <limits>
 #include <set>
 

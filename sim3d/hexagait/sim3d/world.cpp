@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <hexagait/core/kinematics.hpp>
+#include <hexagait/model/kinematics.hpp>
 #include <hexagait/sim3d/detail/check.hpp>
 #include <hexagait/sim3d/detail/contacts.hpp>
 #include <hexagait/sim3d/detail/ground.hpp>

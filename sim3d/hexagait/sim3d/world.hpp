@@ -3,10 +3,10 @@
 #pragma once
 
 #include <cstdint>
-#include <hexagait/core/ground_truth.hpp>
-#include <hexagait/core/planar.hpp>
-#include <hexagait/core/plant.hpp>
-#include <hexagait/core/robot_model.hpp>
+#include <hexagait/math/planar.hpp>
+#include <hexagait/model/robot_model.hpp>
+#include <hexagait/plant/plant.hpp>
+#include <hexagait/sim/ground_truth.hpp>
 #include <hexagait/sim3d/terrain.hpp>
 #include <limits>
 #include <memory>

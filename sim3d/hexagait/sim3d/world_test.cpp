@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cstring>
-#include <hexagait/core/kinematics.hpp>
+#include <hexagait/model/kinematics.hpp>
 #include <hexagait/sim3d/world.hpp>
+#include <hexagait/text/invalid_input.hpp>
+#include <hexagait/urdf/urdf.hpp>
 #include <limits>
 #include <numeric>
 #include <thread>

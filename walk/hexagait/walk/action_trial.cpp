@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <hexagait/core/support_polygon.hpp>
+#include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/walk/action_trial.hpp>
 #include <hexagait/walk/state_hash.hpp>
 #include <numbers>

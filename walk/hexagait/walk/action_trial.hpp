@@ -3,8 +3,8 @@
 #pragma once
 
 #include <functional>
-#include <hexagait/core/action_runner.hpp>
-#include <hexagait/core/ground_truth.hpp>
+#include <hexagait/script/action_runner.hpp>
+#include <hexagait/sim/ground_truth.hpp>
 #include <limits>
 
 namespace hexagait::walk {

@@ -7,10 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <hexagait/core/load_action.hpp>
-#include <hexagait/core/preview.hpp>
-#include <hexagait/core/random.hpp>
+#include <hexagait/load/load_action.hpp>
+#include <hexagait/script/preview.hpp>
+#include <hexagait/sim/random.hpp>
 #include <hexagait/sim3d/world.hpp>
+#include <hexagait/urdf/urdf.hpp>
 #include <hexagait/walk/action_trial.hpp>
 #include <hexagait/walk/start_posture.hpp>
 

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <hexagait/sim3d/world.hpp>
+#include <hexagait/urdf/urdf.hpp>
 #include <hexagait/walk/trial.hpp>
 #include <limits>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <hexagait/core/support_polygon.hpp>
+#include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/gait_state/ring.hpp>
 #include <hexagait/walk/referee.hpp>
 #include <hexagait/walk/state_hash.hpp>

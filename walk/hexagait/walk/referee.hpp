@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/core/ground_truth.hpp>
 #include <hexagait/gait_state/tripod_gait.hpp>
+#include <hexagait/sim/ground_truth.hpp>
 #include <hexagait/walk/reference_path.hpp>
 #include <hexagait/walk/summary.hpp>
 #include <vector>

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <hexagait/core/random.hpp>
-#include <hexagait/core/robot_model.hpp>
+#include <hexagait/sim/random.hpp>
+#include <hexagait/text/invalid_input.hpp>
 #include <hexagait/walk/schedule.hpp>
 #include <optional>
 

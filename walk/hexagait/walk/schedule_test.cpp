@@ -7,7 +7,8 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <hexagait/core/robot_model.hpp>
+#include <hexagait/model/robot_model.hpp>
+#include <hexagait/text/invalid_input.hpp>
 #include <hexagait/walk/schedule.hpp>
 
 namespace hexagait::walk {

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <hexagait/core/kinematics.hpp>
-#include <hexagait/core/random.hpp>
+#include <hexagait/model/kinematics.hpp>
+#include <hexagait/sim/random.hpp>
+#include <hexagait/text/invalid_input.hpp>
 #include <hexagait/walk/start_posture.hpp>
 #include <hexagait/walk/trial.hpp>
 

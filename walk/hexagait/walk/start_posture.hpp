@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/core/robot_model.hpp>
-#include <hexagait/core/robot_state.hpp>
+#include <hexagait/model/robot_model.hpp>
+#include <hexagait/plant/robot_state.hpp>
 #include <limits>
 
 namespace hexagait::walk {

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <hexagait/core/kinematics.hpp>
+#include <hexagait/model/kinematics.hpp>
 #include <hexagait/sim3d/world.hpp>
+#include <hexagait/text/invalid_input.hpp>
+#include <hexagait/urdf/urdf.hpp>
 #include <hexagait/walk/start_posture.hpp>
 
 namespace hexagait::walk {

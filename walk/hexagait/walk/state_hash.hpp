@@ -4,9 +4,9 @@
 
 #include <bit>
 #include <cstdint>
-#include <hexagait/core/fnv1a.hpp>
-#include <hexagait/core/ground_truth.hpp>
-#include <hexagait/core/plant.hpp>
+#include <hexagait/plant/plant.hpp>
+#include <hexagait/sim/fnv1a.hpp>
+#include <hexagait/sim/ground_truth.hpp>
 
 namespace hexagait::walk {
 

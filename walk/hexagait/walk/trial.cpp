@@ -3,8 +3,8 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
-#include <hexagait/core/kinematics.hpp>
-#include <hexagait/core/random.hpp>
+#include <hexagait/model/kinematics.hpp>
+#include <hexagait/sim/random.hpp>
 #include <hexagait/walk/trial.hpp>
 
 namespace hexagait::walk {

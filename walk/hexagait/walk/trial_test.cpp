@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <hexagait/core/kinematics.hpp>
+#include <hexagait/model/kinematics.hpp>
 #include <hexagait/sim3d/world.hpp>
+#include <hexagait/urdf/urdf.hpp>
 #include <hexagait/walk/trial.hpp>
 
 namespace hexagait::walk {

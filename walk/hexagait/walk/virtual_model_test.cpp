@@ -6,8 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <hexagait/core/load_action.hpp>
+#include <hexagait/load/load_action.hpp>
 #include <hexagait/sim3d/world.hpp>
+#include <hexagait/urdf/urdf.hpp>
 #include <hexagait/walk/action_trial.hpp>
 #include <hexagait/walk/start_posture.hpp>
 

@@ -5,7 +5,7 @@
 #include <box2d/box2d.h>
 
 #include <cstdint>
-#include <hexagait/core/geometry.hpp>
+#include <hexagait/math/geometry.hpp>
 
 /// Box2D works in 32 bits and is tuned for bodies of 0.1 to 10 units: one unit is 10 cm here, and
 /// kilogram and second are kept.

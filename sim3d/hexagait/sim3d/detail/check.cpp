@@ -3,9 +3,9 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <hexagait/core/violations.hpp>
 #include <hexagait/sim3d/detail/check.hpp>
 #include <hexagait/sim3d/detail/robot.hpp>
+#include <hexagait/text/violations.hpp>
 
 namespace hexagait::sim3d::detail {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <hexagait/core/random.hpp>
+#include <hexagait/sim/random.hpp>
 #include <hexagait/sim3d/detail/ground.hpp>
 #include <span>
 

@@ -5,7 +5,7 @@
 #include <ode/ode.h>
 
 #include <array>
-#include <hexagait/core/geometry.hpp>
+#include <hexagait/math/geometry.hpp>
 #include <memory>
 #include <type_traits>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <array>
-#include <hexagait/core/robot_model.hpp>
+#include <hexagait/model/robot_model.hpp>
 #include <hexagait/sim3d/detail/ode.hpp>
 #include <hexagait/sim3d/detail/servos.hpp>
 #include <hexagait/sim3d/world.hpp>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/core/plant.hpp>
-#include <hexagait/core/robot_model.hpp>
+#include <hexagait/model/robot_model.hpp>
+#include <hexagait/plant/plant.hpp>
 #include <hexagait/sim3d/detail/ode.hpp>
 #include <hexagait/sim3d/world.hpp>
 #include <vector>

@@ -1,0 +1,368 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <hexagait/balance/stance_pose.hpp>
+#include <hexagait/balance/support_polygon.hpp>
+#include <hexagait/balance/support_room.hpp>
+#include <hexagait/math/quadratic_program.hpp>
+#include <hexagait/model/kinematics.hpp>
+
+namespace hexagait {
+namespace {
+
+using Vector6 = PoseProgram::Vector;
+
+constexpr int kMaxIterations = 16;   // of a descent
+constexpr int kMaxDescents = 4;      // each after one more leg was given up
+constexpr double kConverged = 1e-6;  // step [m], [rad]
+constexpr double kMaxTurn = 0.5;     // of a step [rad]
+constexpr double kDamping = 1e-7;    // of H: keeps what the feet leave open where it is
+constexpr double kNear = 0.15;       // limits farther than this are not looked at [m], [rad]
+constexpr double kFarAway = 1e6;     // feet are clipped here, so that squares stay finite [m]
+
+/// The base by its centre of mass, from where the search began, axes of odom.
+struct Iterate {
+  Vector3 c;  ///< of M [m]
+  Matrix3 R;  ///< R_OB
+};
+
+template <class F>
+void for_each(LegSet legs, F f) {
+  for (LegId i = 0; i < kMaxLegs; ++i)
+    if (legs.contains(i)) f(i);
+}
+
+struct Stance {
+  const RobotModel& model;
+  LegSet reach;
+  LegArray<Vector3> p_F;   ///< feet, from where the search began, axes of odom [m]
+  LegArray<Vector3> p_MN;  ///< nominal feet from the centre of mass, axes of the base [m]
+  SupportRoom room;
+
+  Vector3 foot(const Iterate& at, LegId leg) const { return at.R.transpose() * (p_F[leg] - at.c); }
+};
+
+Stance stance_of(const RobotModel& model, const StanceProblem& problem) {
+  const int n = model.num_legs();
+  Stance stance{
+      model, problem.reach & LegSet::all(n), LegArray<Vector3>(n), LegArray<Vector3>(n), {}};
+  for (LegId i = 0; i < n; ++i) {
+    const Vector3& p_BC = model.legs[i].p_BC;
+    stance.p_F[i] = (problem.p_OF[i] - problem.X_OB.p).cwiseMax(-kFarAway).cwiseMin(kFarAway);
+    stance.p_MN[i] = Vector3(p_BC.x(), p_BC.y(), -problem.height) - model.p_BM;
+  }
+  const LegSet support = problem.support & LegSet::all(n);
+  stance.room = support_room(support_polygon(stance.p_F, support), problem.margin);
+  return stance;
+}
+
+double yaw_of(const Matrix3& R) { return std::atan2(R(1, 0), R(0, 0)); }
+
+// Turns the base back where it leans over too far.
+Matrix3 upright(const Matrix3& R) {
+  const Vector3 z = R.col(2);
+  if (z.z() >= std::cos(kMaxTilt)) return R;
+  const double s = std::hypot(z.x(), z.y()), tilt = std::atan2(s, z.z());
+  const Vector3 axis = s > 0.0 ? Vector3(z.y() / s, -z.x() / s, 0.0) : Vector3::UnitX();
+  return orthonormalised(rotation(axis * (tilt - kMaxTilt)) * R);
+}
+
+// The best level pose, in closed form: centroids upon one another, yaw by the mean of the feet.
+Iterate level_guess(const Stance& stance, const Pose& X_OB, LegSet given_up) {
+  const LegSet legs = without(stance.reach, given_up);
+  if (legs.empty()) return {X_OB.R * stance.model.p_BM, upright(X_OB.R)};
+  Vector3 mean_F = Vector3::Zero(), mean_N = Vector3::Zero();
+  const double share = 1.0 / legs.size();
+  for_each(legs, [&](LegId i) {
+    mean_F += share * stance.p_F[i];
+    mean_N += share * stance.p_MN[i];
+  });
+  double along = 0.0, across = 0.0, size = 0.0;
+  for_each(legs, [&](LegId i) {
+    const Vector2 f = (stance.p_F[i] - mean_F).head<2>(), n = (stance.p_MN[i] - mean_N).head<2>();
+    along += n.dot(f);
+    across += cross(n, f);
+    size += n.squaredNorm() + f.squaredNorm();
+  });
+  const bool open = std::abs(along) + std::abs(across) <= 1e-9 * size;
+  const Matrix3 R = rotation_z(open ? yaw_of(X_OB.R) : std::atan2(across, along));
+  return {mean_F - R * mean_N, R};
+}
+
+// W e
+Vector3 weighted(const Vector3& e) { return {e.x(), e.y(), kHeightWeight * e.z()}; }
+
+double objective(const Stance& stance, const Iterate& at) {
+  double sum = 0.0;
+  for_each(stance.reach, [&](LegId i) {
+    const Vector3 e = stance.foot(at, i) - stance.p_MN[i];
+    sum += e.dot(weighted(e));
+  });
+  return sum;
+}
+
+Matrix3 cross_matrix(const Vector3& v) {
+  return (Matrix3() << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0).finished();
+}
+
+// (stance 1) to second order in a shift d of M (axes of the base) and a turn θ, f the feet from M,
+// e = f − n, g = W e:
+//
+//     f' = exp(−θ) (f − d) ≈ f − d + f×θ + θ×d + ½ θ×(θ×f)
+//     ½ Σ (f' − n)ᵀ W (f' − n) ≈ … − d·Σ g + θ·Σ g×f + ½ Σ (d − f×θ)ᵀ W (d − f×θ)
+//                                + Σ d·(g×θ) + ½ Σ θᵀ (½ (g fᵀ + f gᵀ) − g·f) θ
+//
+// Without the last line it is Gauss and Newton's: never concave.
+void set_objective(PoseProgram& program, const Stance& stance, const Iterate& at, bool exact) {
+  program.g.setZero();
+  program.H.setZero();
+  const Vector3 w = weighted(Vector3::Ones());
+  for_each(stance.reach, [&](LegId i) {
+    const Vector3 f = stance.foot(at, i), g = weighted(f - stance.p_MN[i]);
+    const Matrix3 F = cross_matrix(f), WF = w.asDiagonal() * F;
+    program.g.head<3>() -= g;
+    program.g.tail<3>() += g.cross(f);
+    program.H.topLeftCorner<3, 3>().diagonal() += w;
+    program.H.bottomLeftCorner<3, 3>() += WF.transpose() * -1.0;
+    program.H.bottomRightCorner<3, 3>() += F.transpose() * WF;
+    if (!exact) return;
+    const Matrix3 gf = g * f.transpose();
+    program.H.bottomLeftCorner<3, 3>() -= cross_matrix(g);
+    program.H.bottomRightCorner<3, 3>() += 0.5 * (gf + gf.transpose());
+    program.H.bottomRightCorner<3, 3>().diagonal().array() -= gf.trace();
+  });
+  const double scale = kDamping * (1.0 + program.H.diagonal().maxCoeff());
+  program.H.diagonal().array() += scale;
+}
+
+/// The rows of the program, and whose limit each one is.
+struct Rows {
+  PoseProgram& program;
+  std::array<LegId, 88> owner{};
+
+  void add(const Vector6& normal, double bound, LegId leg) {
+    owner[static_cast<std::size_t>(program.size)] = leg;
+    program.add(normal, bound);
+  }
+  LegSet owners(const QpSolution<6, 6>& contradiction) const {
+    LegSet legs;
+    for (int k = 0; k < contradiction.num_active; ++k) {
+      const int row = contradiction.active[static_cast<std::size_t>(k)];
+      const LegId leg = owner[static_cast<std::size_t>(row)];
+      if (leg >= 0) legs.insert(leg);
+    }
+    return legs;
+  }
+  // gradientᵀ f' ≤ gradientᵀ f + room, for a gradient by the foot f.
+  void add_limit(const Vector3& gradient_B, const Vector3& f, double room, LegId leg) {
+    if (room > kNear) return;
+    add((Vector6() << -gradient_B, gradient_B.cross(f)).finished(), room, leg);
+  }
+};
+
+// (stance 2) and the tilt.
+void add_stability(Rows& rows, const Stance& stance, const Iterate& at) {
+  for (int j = 0; j < stance.room.size; ++j) {
+    const HalfPlane& edge = stance.room.edges[static_cast<std::size_t>(j)];
+    const Vector3 normal_B =
+        at.R.row(0).transpose() * edge.normal.x() + at.R.row(1).transpose() * edge.normal.y();
+    rows.add((Vector6() << normal_B, Vector3::Zero()).finished(),
+             edge.bound - edge.normal.dot(at.c.head<2>()), -1);
+  }
+  const Vector3 up_B = at.R.row(2);
+  const double s = std::sqrt(up_B.x() * up_B.x() + up_B.y() * up_B.y()),
+               room = std::sin(kMaxTilt) - s;
+  if (room > 0.3 || s == 0.0) return;
+  const Vector3 lean_B(up_B.x() / s, up_B.y() / s, 0.0);
+  rows.add((Vector6() << Vector3::Zero(), lean_B.cross(up_B)).finished(), room, -1);
+}
+
+/// Legs that were seen far from all limits, and how far their feet may move until one comes near:
+/// so long they need not be looked at again. Inverse kinematics is most of the work.
+struct Clear {
+  std::array<Vector3, kMaxLegs> f;
+  std::array<double, kMaxLegs> radius{};  ///< [m]
+
+  bool still(LegId leg, const Vector3& now) const {
+    const auto i = static_cast<std::size_t>(leg);
+    return radius[i] > 0.0 && (now - f[i]).squaredNorm() < radius[i] * radius[i];
+  }
+  void note(LegId leg, const Vector3& now, double new_radius) {
+    f[static_cast<std::size_t>(leg)] = now;
+    radius[static_cast<std::size_t>(leg)] = new_radius;
+  }
+
+  /// Where a serial leg was last seen to end: it reached `reached`, outwards of which is `normal`.
+  struct End {
+    Vector3 normal = Vector3::Zero(), reached = Vector3::Zero();
+  };
+  std::array<End, kMaxLegs> ends;
+};
+
+// What a serial leg allows: the reach and, where it was seen to end, the plane across what was
+// missing. Whatever ends it, limits or a straight leg, the minimum is found from one plane to the
+// next.
+void add_serial_leg(Rows& rows, const Stance& stance, const Iterate& at, LegId i, Clear& clear) {
+  const LegModel& leg = stance.model.legs[i];
+  const Vector3 f = stance.foot(at, i), p_BF = f + stance.model.p_BM;
+  const LegSolution solution = inverse_kinematics(leg, p_BF);
+  const int rows_before = rows.program.size;
+
+  const double d = (p_BF - leg.X_BH.p).norm();
+  if (d > 0.0) {
+    const Vector3 stretch_B = (p_BF - leg.X_BH.p) / d;
+    rows.add_limit(stretch_B, f, leg.max_reach - kReachClearance - d, i);
+    rows.add_limit(-stretch_B, f, d - leg.min_reach - kReachClearance, i);
+  }
+  Clear::End& end = clear.ends[static_cast<std::size_t>(i)];
+  const Vector3 reached = foot_position(leg, solution.trig) - stance.model.p_BM;
+  if (!solution.reachable) end = {(f - reached).normalized(), reached};
+  if (!end.normal.isZero())
+    rows.add_limit(end.normal, f, end.normal.dot(end.reached - f) - kReachClearance, i);
+
+  // How fast joints turn as the foot moves, and how far they may.
+  double room = kNear;
+  for (int k = 0; k < leg.num_joints(); ++k)
+    room =
+        std::min({room, solution.q[k] - leg.limits[k].lower, leg.limits[k].upper - solution.q[k]});
+  const LegJacobian J = foot_jacobian(leg, solution.trig);
+  const Matrix3 JJ = J * J.transpose() + 1e-12 * Matrix3::Identity();
+  const double rate = std::max(1.0, std::sqrt(JJ.inverse().trace()));
+  const bool is_clear = solution.reachable && room >= kNear && rows.program.size == rows_before;
+  clear.note(i, f, is_clear ? 0.5 * kNear / rate : 0.0);
+}
+
+// What one leg allows: the reach, and yaw and hip, whose change with the foot is the inverse of
+// foot_jacobian()'s, row by row. From where inverse_kinematics() gets to, if that is not the foot.
+void add_leg(Rows& rows, const Stance& stance, const Iterate& at, LegId i, Clear& clear) {
+  const LegModel& leg = stance.model.legs[i];
+  const Vector3 f = stance.foot(at, i);
+  if (clear.still(i, f)) return;
+  if (leg.kind == LegKind::serial) return add_serial_leg(rows, stance, at, i, clear);
+  const int rows_before = rows.program.size;
+  const LegSolution solution = inverse_kinematics(leg, f + stance.model.p_BM);
+  const LegTrig& t = solution.trig;
+  const Vector3 p_H = leg.X_BH.R.transpose() * (f + stance.model.p_BM - leg.X_BH.p);
+
+  // The foot in the leg's plane, and beside it.
+  const Vector3 out_H(t.c[0], t.s[0], 0.0), left_H(-t.s[0], t.c[0], 0.0);
+  const double r = out_H.dot(p_H), a = r - leg.coxa;
+  const double d = std::sqrt(a * a + p_H.z() * p_H.z());
+  if (d > 0.0) {
+    const Vector3 stretch_B = leg.X_BH.R * ((a / d) * out_H + (p_H.z() / d) * Vector3::UnitZ());
+    rows.add_limit(stretch_B, f, leg.max_reach - kReachClearance - d, i);
+    rows.add_limit(-stretch_B, f, d - leg.min_reach - kReachClearance, i);
+  }
+
+  const auto add_joint = [&](int joint, const Vector3& turn_H, double excess) {
+    const JointLimits& limits = leg.limits[joint];
+    if (limits.upper - limits.lower >= 2.0 * std::numbers::pi - 1e-9) return;
+    const double sign = leg.joint_sign[joint], q = solution.q[joint] + sign * excess;
+    const Vector3 turn_B = sign * (leg.X_BH.R * turn_H);
+    rows.add_limit(turn_B, f, limits.upper - kJointClearance - q, i);
+    rows.add_limit(-turn_B, f, q - limits.lower - kJointClearance, i);
+  };
+  if (std::abs(r) > kReachClearance) add_joint(0, left_H / r, left_H.dot(p_H) / r);
+  const double shin_r = leg.tibia * t.c[2], shin_h = -leg.tibia * t.s[2];
+  const double reached_a = leg.femur * t.c[1] + shin_r, reached_h = -leg.femur * t.s[1] + shin_h;
+  const double det = shin_h * reached_a - reached_h * shin_r;
+  if (std::abs(det) < 1e-9) return;
+  const Vector3 turn_H = (-shin_r / det) * out_H + (-shin_h / det) * Vector3::UnitZ();
+  add_joint(1, turn_H, (-shin_r * (a - reached_a) - shin_h * (p_H.z() - reached_h)) / det);
+  // No limit is nearer than kNear; half of that, as these rates are those of one place.
+  const double rate = std::max({1.0, 1.0 / std::abs(r), leg.tibia / std::abs(det)});
+  const bool is_clear = solution.reachable && rows.program.size == rows_before;
+  clear.note(i, f, is_clear ? 0.5 * kNear / rate : 0.0);
+}
+
+// Of some legs, the one whose foot is farthest from its place; −1 of none.
+LegId farthest(LegSet legs, const Stance& stance, const Iterate& at) {
+  LegId found = -1;
+  double most = -1.0;
+  for_each(legs, [&](LegId i) {
+    const double distance = (stance.foot(at, i) - stance.p_MN[i]).squaredNorm();
+    if (distance > most) most = distance, found = i;
+  });
+  return found;
+}
+
+// The step to the minimum of the quadratic model, subject to the limits of `legs`. Where these
+// contradict the rest, the limits of one leg after the other are left out of this step.
+Vector6 newton_step(const Stance& stance, const Iterate& at, LegSet legs, Clear& clear) {
+  PoseProgram program;
+  Rows rows{program};
+  set_objective(program, stance, at, true);
+  add_stability(rows, stance, at);
+  const int stability = program.size;
+  for (int trial = 0; trial <= kMaxLegs; ++trial) {
+    program.size = stability;
+    for_each(legs, [&](LegId i) { add_leg(rows, stance, at, i, clear); });
+    QpSolution<6, 6> solution = solve(program);
+    if (solution.status == QpStatus::not_convex) {
+      set_objective(program, stance, at, false);
+      solution = solve(program);
+    }
+    if (solution.status == QpStatus::solved) return solution.x;
+    const LegId leg = farthest(rows.owners(solution), stance, at);
+    if (leg < 0) break;
+    legs.erase(leg);
+  }
+  return Vector6::Zero();
+}
+
+// M goes all of the way, so that it is within its room; the turn is limited.
+Iterate stepped(const Iterate& at, const Vector6& step) {
+  const Vector3 turn = step.tail<3>();
+  const double scale = std::min(1.0, kMaxTurn / std::max(turn.norm(), kMaxTurn));
+  return {at.c + at.R * step.head<3>(), upright(orthonormalised(at.R * rotation(scale * turn)))};
+}
+
+// From a start to the minimum; counts its iterations.
+Iterate descend(const Stance& stance, Iterate at, LegSet legs, Clear& clear, int& iterations) {
+  for (int k = 0; k < kMaxIterations; ++k) {
+    const Vector6 step = newton_step(stance, at, legs, clear);
+    at = stepped(at, step);
+    ++iterations;
+    if (step.cwiseAbs().maxCoeff() < kConverged) break;
+  }
+  return at;
+}
+
+LegSet out_of_reach(const Stance& stance, const Iterate& at, const Clear& clear) {
+  LegSet out;
+  for_each(stance.reach, [&](LegId i) {
+    const Vector3 f = stance.foot(at, i);
+    const LegModel& leg = stance.model.legs[i];
+    out.set(i, !clear.still(i, f) && !inverse_kinematics(leg, f + stance.model.p_BM).reachable);
+  });
+  return out;
+}
+
+}  // namespace
+
+StancePose optimise_stance(const RobotModel& model, const StanceProblem& problem) noexcept {
+  const Stance stance = stance_of(model, problem);
+  StancePose out;
+  LegSet given_up;
+  Clear clear;
+  Iterate at;
+
+  // All legs; if some don't reach, without the one that is farthest off, and so on.
+  for (int descent = 0; descent < kMaxDescents; ++descent) {
+    at = descend(stance, level_guess(stance, problem.X_OB, given_up),
+                 without(stance.reach, given_up), clear, out.iterations);
+    out.out_of_reach = out_of_reach(stance, at, clear);
+    const LegId leg = farthest(without(out.out_of_reach, given_up), stance, at);
+    if (leg < 0) break;
+    given_up.insert(leg);
+  }
+
+  // What has come of it.
+  out.X_OB = {at.R, problem.X_OB.p + at.c - at.R * model.p_BM};
+  out.margin = stability_margin(stance.room.polygon, at.c.head<2>());
+  out.margin_shrunk = stance.room.shrunk;
+  out.objective = objective(stance, at);
+  return out;
+}
+
+}  // namespace hexagait

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <hexagait/balance/load_sharing.hpp>
+#include <hexagait/balance/whole_body.hpp>
+#include <hexagait/model/leg_weight.hpp>
+
+namespace hexagait {
+namespace {
+
+// Each standing foot presses down with its share of the weight: τ = Jᵀ (−F up).
+LegArray<LegJoints> kinematic_efforts(const RobotModel& model, const WholeBodyInput& input,
+                                      double gravity) {
+  const int n = model.num_legs();
+  LegArray<LegJoints> effort(n, LegJoints::Zero());
+  const LegArray<double> force =
+      shared_load(input.p_BF, model.p_BM, input.load, model.mass * gravity);
+  for (LegId i = 0; i < n; ++i) {
+    if (force[i] > 0.0)
+      effort[i] =
+          foot_jacobian(model.legs[i], input.trig[i]).transpose() * (-force[i] * input.up_B);
+  }
+  return effort;
+}
+
+// The weight of a foot's moment against its force: what turns the robot, at the distance at which
+// its mass turns. Both then count as accelerations.
+double radius_of_gyration(const RobotModel& model) {
+  return std::sqrt(model.inertia_M_B.trace() / (3.0 * model.mass));
+}
+
+ContactForceParams contact_params(const RobotModel& model, double gravity,
+                                  const VirtualModelParams& params) {
+  const double weight = model.mass * gravity;
+  return {.friction = params.friction,
+          .min_normal = params.least_load * weight,
+          .max_normal = params.most_load * weight,
+          .moment_arm = radius_of_gyration(model)};
+}
+
+// The feet push the body as (body 1) says, and the joints hold their legs besides.
+LegArray<LegJoints> virtual_model_efforts(const RobotModel& model, const WholeBodyInput& input,
+                                          double gravity, const VirtualModelParams& params) {
+  const int n = model.num_legs();
+  LegArray<LegJoints> effort(n, LegJoints::Zero());
+  Vector3 moment_B = model.base.mass * model.base.p_LM;
+  for (LegId i = 0; i < n; ++i) {
+    const LegWeight weight = leg_weight(model.legs[i], input.q[i], gravity * input.up_B);
+    effort[i] = weight.effort;
+    moment_B += weight.moment_B;
+  }
+  const LegArray<Vector3> force =
+      contact_forces({virtual_model_wrench(model, moment_B / model.mass, input, gravity, params),
+                      input.p_BF, input.normal_B, input.load},
+                     contact_params(model, gravity, params));
+  for (LegId i = 0; i < n; ++i)
+    effort[i] -= foot_jacobian(model.legs[i], input.trig[i]).transpose() * force[i];
+  return effort;
+}
+
+}  // namespace
+
+const char* to_string(WholeBodyController controller) noexcept {
+  return controller == WholeBodyController::kinematic ? "kinematic" : "virtual_model";
+}
+
+BaseError base_error(const Pose& X_OB, const Twist& V_B, const Pose& X_OD,
+                     const Twist& V_D) noexcept {
+  const Pose X_BD = X_OB.inverse() * X_OD;
+  return {X_BD.p, rotation_vector(X_BD.R), {X_BD.R * V_D.v - V_B.v, X_BD.R * V_D.w - V_B.w}};
+}
+
+Wrench virtual_model_wrench(const RobotModel& model, const Vector3& p_BM,
+                            const WholeBodyInput& input, double gravity,
+                            const VirtualModelParams& params) noexcept {
+  const BaseError& error = input.error;
+  const Vector3 e = error.p_B + error.turn_B.cross(p_BM);
+  const Vector3 v = error.V_B.v + error.V_B.w.cross(p_BM);
+  const double w = params.frequency, turn_w = params.turn_frequency;
+  const Vector3 force =
+      model.mass * (gravity * input.up_B + w * w * e + 2.0 * params.damping_ratio * w * v);
+  return {force, p_BM.cross(force) +
+                     model.inertia_M_B * (turn_w * turn_w * error.turn_B +
+                                          2.0 * params.turn_damping_ratio * turn_w * error.V_B.w)};
+}
+
+LegArray<LegJoints> joint_efforts(WholeBodyController controller, const RobotModel& model,
+                                  const WholeBodyInput& input, double gravity,
+                                  const VirtualModelParams& params) noexcept {
+  return controller == WholeBodyController::kinematic
+             ? kinematic_efforts(model, input, gravity)
+             : virtual_model_efforts(model, input, gravity, params);
+}
+
+}  // namespace hexagait

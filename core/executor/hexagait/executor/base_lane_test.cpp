@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <hexagait/executor/base_lane.hpp>
+#include <hexagait/sim/random.hpp>
+
+namespace hexagait {
+namespace {
+
+constexpr double kDt = 0.002;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+BaseAuto straight_ahead() {
+  BaseAuto command;
+  command.path.v = {1.0, 0.0};
+  return command;
+}
+
+/// Largest change of the velocity of any point within outer_radius, in one tick [m/s].
+double change(const BaseLane& a, const BaseLane& b, const BaseParams& params) {
+  return (a.planar.v - b.planar.v).norm() + params.outer_radius * std::abs(a.planar.w - b.planar.w);
+}
+
+TEST(BaseLane, NeverAcceleratesMoreThanItsBoundWhateverIsAsked) {
+  const BaseParams params;
+  RandomSequence random{.seed = 4};
+  const auto u = [&](double bound) { return random.uniform(-bound, bound); };
+  BaseLane lane;
+  for (int tick = 0; tick < 20000; ++tick) {
+    BaseAuto command;
+    command.path = {{u(1.0), u(1.0)}, u(3.0)};
+    command.correction = {{u(0.1), u(0.1)}, u(0.5)};
+    command.max_speed = random.u01();
+    command.max_advance = random.u01() < 0.5 ? kInfinity : random.uniform(0.0, 0.2);
+    const BaseLane before = lane;
+    advance(lane, command, {u(0.3), u(0.1), u(0.3), u(0.3)}, kDt, params);
+    const double most = params.acceleration * kDt * (1.0 + 1e-12);
+    ASSERT_LE(change(lane, before, params), most);
+    ASSERT_LE(std::abs(lane.vertical - before.vertical), most);
+    ASSERT_LE(params.outer_radius * std::abs(lane.roll - before.roll), most);
+    ASSERT_LE(params.outer_radius * std::abs(lane.pitch - before.pitch), most);
+  }
+}
+
+// Along √(2 a d) the body brakes at just its bound, but a tick late: it passes the goal by at most
+// the way of one tick, v dt ≤ max_speed dt = 1.2 mm.
+TEST(BaseLane, StopsAtTheGoalWithinTheWayOfATick) {
+  const BaseParams params;
+  for (const double distance : {1e-4, 0.01, 0.0375, 0.1, 0.5, 2.0, -0.3}) {
+    BaseLane lane;
+    double x = 0.0, farthest = 0.0, fastest = 0.0;
+    for (int tick = 0; tick < 5000; ++tick) {
+      advance(lane, straight_ahead(), {.advance = distance - x}, kDt, params);
+      x += lane.planar.v.x() * kDt;
+      farthest = std::max(farthest, (x - distance) * std::copysign(1.0, distance));
+      fastest = std::max(fastest, std::abs(lane.planar.v.x()));
+    }
+    EXPECT_LE(farthest, params.max_speed * kDt) << distance;
+    EXPECT_LE(fastest, params.max_speed * (1.0 + 1e-12));
+    EXPECT_NEAR(x, distance, 1e-6);
+    EXPECT_NEAR(lane.planar.v.x(), 0.0, 1e-6);
+  }
+}
+
+// Half way at the bound, half way back: the time to stop is that of the bounds, d = a t²/4 each
+// half, plus the linear end, some 1/advance_rate.
+TEST(BaseLane, TakesNotMuchLongerThanTheBoundsAsk) {
+  const BaseParams params;
+  const double distance = 0.2, least = 2.0 * std::sqrt(distance / params.acceleration);
+  BaseLane lane;
+  double x = 0.0, t = 0.0;
+  while (distance - x > 0.002 && t < 10.0) {
+    advance(lane, straight_ahead(), {.advance = distance - x}, kDt, params);
+    x += lane.planar.v.x() * kDt;
+    t += kDt;
+  }
+  EXPECT_LT(t, least + 2.0 / params.advance_rate);
+}
+
+TEST(BaseLane, GoesNoFartherThanMaxAdvanceAndNoFasterThanMaxSpeed) {
+  const BaseParams params;
+  BaseAuto command = straight_ahead();
+  command.max_speed = 0.2;
+  BaseLane lane;
+  double x = 0.0;
+  for (int tick = 0; tick < 3000; ++tick) {
+    command.max_advance = std::max(0.0, 0.15 - x);
+    advance(lane, command, {.advance = 1.0}, kDt, params);
+    x += lane.planar.v.x() * kDt;
+    ASSERT_LE(lane.planar.v.x(), 0.2 * (1.0 + 1e-12));
+    ASSERT_LE(x, 0.15 + 0.2 * kDt);
+  }
+  EXPECT_NEAR(x, 0.15, 1e-4);
+}
+
+// A large deviation is made good at the bound, in its own direction; a small one in proportion.
+TEST(BaseLane, CorrectsTowardsThePathWithinItsBounds) {
+  const BaseParams params;
+  BaseAuto command = straight_ahead();
+  command.correction = {{0.3, 0.4}, -2.0};
+  BaseLane lane;
+  for (int tick = 0; tick < 1000; ++tick) advance(lane, command, {}, kDt, params);
+  EXPECT_NEAR(lane.planar.v.x(), 0.6 * params.correction_speed, 1e-12);
+  EXPECT_NEAR(lane.planar.v.y(), 0.8 * params.correction_speed, 1e-12);
+  EXPECT_NEAR(lane.planar.w, -params.correction_turn, 1e-12);
+
+  command.correction = {{0.003, -0.004}, 0.01};
+  for (int tick = 0; tick < 1000; ++tick) advance(lane, command, {}, kDt, params);
+  EXPECT_NEAR(lane.planar.v.x(), 0.003 * params.correction_rate, 1e-12);
+  EXPECT_NEAR(lane.planar.v.y(), -0.004 * params.correction_rate, 1e-12);
+  EXPECT_NEAR(lane.planar.w, 0.01 * params.correction_rate, 1e-12);
+}
+
+// Height, roll and pitch: at the bound towards a far goal, then to rest at it. A first-order law of
+// rate 2/s under a generous bound doesn't overshoot, but for a tick.
+TEST(BaseLane, RaisesAndLevelsTheBodyWithoutOvershoot) {
+  const BaseParams params;
+  const BaseGoal goal{.height = 0.2, .roll = -0.4, .pitch = 0.5};
+  BaseLane lane;
+  Vector3 at = Vector3::Zero();
+  const Vector3 to(goal.height, goal.roll, goal.pitch);
+  for (int tick = 0; tick < 5000; ++tick) {
+    const Vector3 left = to - at;
+    advance(lane, {}, {.height = left[0], .roll = left[1], .pitch = left[2]}, kDt, params);
+    at += kDt * Vector3(lane.vertical, lane.roll, lane.pitch);
+    ASSERT_LE(std::abs(lane.vertical), params.height_speed);
+    ASSERT_LE(std::abs(lane.roll), params.tilt_speed);
+    ASSERT_LE(std::abs(lane.pitch), params.tilt_speed);
+    for (int k = 0; k < 3; ++k) ASSERT_LE(at[k] / to[k], 1.0 + 0.3 * kDt / std::abs(to[k]));
+  }
+  EXPECT_LT((at - to).norm(), 1e-6);
+}
+
+TEST(BaseLane, MirrorsLeftAndRight) {
+  const BaseParams params;
+  BaseAuto left, right;
+  left.path = {{0.6, 0.3}, 0.5}, right.path = {{0.6, -0.3}, -0.5};
+  left.correction = {{0.01, 0.02}, 0.03}, right.correction = {{0.01, -0.02}, -0.03};
+  BaseLane a, b;
+  for (int tick = 0; tick < 200; ++tick) {
+    advance(a, left, {.advance = 0.1, .roll = 0.1, .pitch = 0.2}, kDt, params);
+    advance(b, right, {.advance = 0.1, .roll = -0.1, .pitch = 0.2}, kDt, params);
+    ASSERT_EQ(a.planar.v.x(), b.planar.v.x());
+    ASSERT_EQ(a.planar.v.y(), -b.planar.v.y());
+    ASSERT_EQ(a.planar.w, -b.planar.w);
+    ASSERT_EQ(a.roll, -b.roll);
+    ASSERT_EQ(a.pitch, b.pitch);
+  }
+}
+
+}  // namespace
+}  // namespace hexagait

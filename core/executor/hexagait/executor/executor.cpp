@@ -1,0 +1,313 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <hexagait/executor/executor.hpp>
+#include <limits>
+
+namespace hexagait {
+namespace {
+
+// Time in which the effort of a plan reaches the joint's limit, at most [s].
+constexpr double kEffortRamp = 0.1;
+
+// A base whose plan ends faster than this is to go on [m/s], [rad/s].
+constexpr double kMoving = 1e-6;
+
+bool none(const LegJoints& effort) { return effort.cwiseAbs().maxCoeff() < 1e-12; }
+
+}  // namespace
+
+Executor::Executor(const RobotModel& model, const ExecutorParams& params)
+    : model_(&model),
+      params_(params),
+      legs_(model.num_legs()),
+      trig_(model.num_legs()),
+      last_change_(model.num_legs(), LegJoints::Zero()),
+      reachable_(model.num_legs(), true),
+      plans_(model.num_legs()),
+      planned_effort_(model.num_legs(), LegJoints::Zero()) {
+  const LegArray<LegJoints> zero(model.num_legs(), LegJoints::Zero());
+  targets_ = {zero, zero, zero, LegArray<ControlMode>(model.num_legs(), ControlMode::position)};
+}
+
+void Executor::reset(const RobotState& state, RestsOn rests_on) {
+  *this = Executor(*model_, params_);
+  for (LegId i = 0; i < legs_.size(); ++i) {
+    if (rests_on == RestsOn::belly) {
+      legs_[i].phase = LegPhase::hold;
+      legs_[i].load = 0.0;
+    }
+    legs_[i].p_BF = state.p_BF[i];
+    trig_[i] = state.trig[i];
+  }
+  targets_.q = state.q;
+  X_OD_ = state.X_OB;
+}
+
+void Executor::command(const Footstep& step, const RobotState& state) noexcept {
+  hexagait::command(legs_[step.leg], step, state.X_OB);
+}
+
+void Executor::reserve(int foot_knots, int joint_knots, int base_knots) {
+  for (LegPlan& plan : plans_) {
+    plan.foot.reserve(foot_knots);
+    plan.joints.reserve(joint_knots);
+  }
+  base_plan_.curve.reserve(base_knots);
+}
+
+void Executor::command(LegId leg, const LegPlan& plan, const RobotState& state,
+                       double begin) noexcept {
+  plans_[leg] = plan;
+  // A leg that was driven by efforts starts from where it is.
+  if (targets_.mode[leg] == ControlMode::effort) legs_[leg].p_BF = state.p_BF[leg];
+  hexagait::command(legs_[leg], plans_[leg], state.X_OB);
+  if (legs_[leg].phase != LegPhase::follow) return;
+  legs_[leg].time = begin;
+  legs_[leg].p_plan = plan.foot.at(begin).p;
+}
+
+void Executor::command(const BasePlan& plan, double begin) noexcept {
+  base_plan_ = plan;
+  base_time_ = begin;
+  base_planned_ = base_plan_.curve.at(begin);
+  base_follows_ = true;
+}
+
+void Executor::interrupt_base() noexcept {
+  base_follows_ = false;
+  base_command_ = {};
+}
+
+const JointTargets& Executor::advance(const RobotState& state, double dt) noexcept {
+  move_base(state, dt);          // where should it go, and how fast can it?
+  stretch_springs(state, dt);    // how far is it from there?
+  carry_with_ground(state, dt);  // and with it all feet that stand
+  move_legs(state, dt);          // what each does over the ground
+  set_joints(state, dt);
+  set_efforts(state, dt);
+  return targets_;
+}
+
+void Executor::move_base(const RobotState& state, double dt) noexcept {
+  if (base_follows_) return follow_base(state, dt);
+  base_goal_ = base_command_.adaptation
+                   ? base_command_.adaptation(base_command_, pose_adaptation_input(state))
+                   : BaseGoal{};
+  hexagait::advance(base_, base_command_, base_goal_, dt, params_.base);
+}
+
+// The twist of the plan, and back to it where odometry sees the base beside it.
+void Executor::follow_base(const RobotState& state, double dt) noexcept {
+  const double begin = base_time_, end = base_plan_.curve.duration();
+  base_time_ = std::min(begin + rate_ * dt, end);
+  const BaseState now = base_planned_;
+  base_planned_ = base_plan_.curve.at(base_time_);
+  const double share = (base_time_ - begin) / dt;
+
+  // What is to go on moving behind the end of its plan, and was not given another one, brakes.
+  if (begin >= end && (now.V_B.v.norm() > kMoving || now.V_B.w.norm() > kMoving)) {
+    interrupt_base();
+    return move_base(state, dt);
+  }
+
+  const Matrix3 R_BD = state.X_OB.R.transpose() * now.X_AB.R;
+  const BaseParams& p = params_.base;
+  Vector3 v = p.correction_rate * (state.X_OB.R.transpose() * (now.X_AB.p - state.X_OB.p));
+  Vector3 w = p.correction_rate * rotation_vector(R_BD);
+  if (v.norm() > p.correction_speed) v *= p.correction_speed / v.norm();
+  if (w.norm() > p.correction_turn) w *= p.correction_turn / w.norm();
+  // The trapezoidal rule; the rest of a tick in which the plan ends goes on as it ended.
+  const Twist& last = base_planned_.V_B;
+  const double rest = rate_ - 0.5 * share;
+  v += R_BD * (0.5 * share * now.V_B.v + rest * last.v);
+  w += R_BD * (0.5 * share * now.V_B.w + rest * last.w);
+  base_ = {{v.head<2>(), w.z()}, v.z(), w.x(), w.y()};
+}
+
+void Executor::stretch_springs(const RobotState& state, double dt) noexcept {
+  if (params_.controller != WholeBodyController::virtual_model) return;
+  Twist V_D = base_.twist();
+  if (base_follows_) {
+    X_OD_ = base_planned_.X_AB;
+    V_D = {rate_ * base_planned_.V_B.v, rate_ * base_planned_.V_B.w};
+  } else {
+    X_OD_.p += X_OD_.R * (V_D.v * dt);
+    X_OD_.R = orthonormalised(X_OD_.R * rotation(V_D.w * dt));
+  }
+  base_error_ = base_error(state.X_OB, state.V_B, X_OD_, V_D);
+}
+
+void Executor::move_legs(const RobotState& state, double dt) noexcept {
+  for (LegId i = 0; i < legs_.size(); ++i) {
+    const LegSensed sensed{state.contact[i], (state.p_BF[i] - legs_[i].p_BF).norm(), reachable_[i]};
+    if (legs_[i].phase == LegPhase::follow)
+      follow(legs_[i], plans_[i], sensed, state.X_OB, dt, rate_, params_.swing);
+    else
+      hexagait::advance(legs_[i], sensed, state.X_OB, dt, params_.swing);
+  }
+}
+
+void Executor::hold() noexcept {
+  base_ = {};
+  base_command_ = {};
+  for (LegLane& lane : legs_) {
+    lane.v_O.setZero();
+    lane.a_O.setZero();
+  }
+  for (LegJoints& qd : targets_.qd) qd.setZero();
+  // Efforts that nobody adapts any more hold nothing up.
+  for (LegId i = 0; i < legs_.size(); ++i) targets_.mode[i] = ControlMode::position;
+  for (LegJoints& change : last_change_) change.setZero();  // nothing rolls on
+}
+
+LegSet Executor::support() const noexcept {
+  LegSet support;
+  for (LegId i = 0; i < legs_.size(); ++i) support.set(i, legs_[i].supports(params_.swing));
+  return support;
+}
+
+LegArray<double> Executor::footing() const noexcept {
+  LegArray<double> footing(legs_.size());
+  for (LegId i = 0; i < legs_.size(); ++i) {
+    const LegLane& lane = legs_[i];
+    footing[i] = lane.on_ground() && lane.without_contact <= 0.0 ? lane.load : 0.0;
+  }
+  return footing;
+}
+
+PoseAdaptationInput Executor::pose_adaptation_input(const RobotState& state) const noexcept {
+  const int n = legs_.size();
+  PoseAdaptationInput input{LegArray<Vector3>(n), LegArray<Vector3>(n), LegArray<Vector3>(n),
+                            support()};
+  const Pose X_BO = state.X_OB.inverse();
+  for (LegId i = 0; i < n; ++i) {
+    input.p_BF[i] = legs_[i].p_BF;
+    input.p_BC[i] = model_->legs[i].p_BC;
+    input.footprint_BF[i] = X_BO * state.print_O[i];
+    // A foot that finds no ground where it was expected: let the body come down to it.
+    if (legs_[i].phase == LegPhase::descend)
+      input.footprint_BF[i].z() = std::min(input.footprint_BF[i].z(), legs_[i].p_BF.z());
+  }
+  return input;
+}
+
+// (executor 1), exact to second order in one tick's motion; and the rolling of spherical feet
+// (odometry 2), by which the centre of a standing foot moves though its contact does not.
+void Executor::carry_with_ground(const RobotState& state, double dt) noexcept {
+  const Twist V = base_.twist();
+  const Vector3 turn = V.w * dt;
+  const Vector3 roll_arm = model_->foot_radius * state.X_OB.R.row(2).transpose();
+  for (LegId i = 0; i < legs_.size(); ++i) {
+    if (!legs_[i].with_ground()) continue;
+    Vector3& p = legs_[i].p_BF;
+    // What efforts drive is where it is.
+    if (params_.controller == WholeBodyController::virtual_model && legs_[i].on_ground())
+      p = state.p_BF[i];
+    const Vector3 shift = -(V.v * dt + turn.cross(p));
+    p += shift - 0.5 * turn.cross(shift);
+    if (legs_[i].on_ground())
+      p += (turn + tibia_turn(model_->legs[i], trig_[i], last_change_[i])).cross(roll_arm);
+  }
+}
+
+// The joints lead and the foot follows.
+bool Executor::led_by_joints(LegId leg) const noexcept {
+  const LegPhase phase = legs_[leg].phase;
+  return plans_[leg].kind == LegPlan::Kind::joints &&
+         (phase == LegPhase::follow || phase == LegPhase::hold);
+}
+
+// Where the leg's joints should be, and where that puts its foot.
+LegSolution Executor::wanted_joints(LegId leg, const RobotState& state) noexcept {
+  const LegModel& model = model_->legs[leg];
+  const LegLane& lane = legs_[leg];
+  const LegPlan& plan = plans_[leg];
+  if (!led_by_joints(leg)) return inverse_kinematics(model, lane.p_BF, targets_.q[leg]);
+  if (lane.phase == LegPhase::hold) return {targets_.q[leg], trig_[leg], true};
+  const bool driven = plan.mode == ControlMode::effort;  // wherever efforts take it
+  const LegJoints asked = driven ? state.q[leg] : plan.joints.at(lane.time).q;
+  LegJoints q = asked;
+  for (int k = 0; k < model.num_joints(); ++k)
+    q[k] = std::clamp(q[k], model.limits[k].lower, model.limits[k].upper);
+  return {q, leg_trig(model, q), driven || within_limits(model, asked)};
+}
+
+void Executor::set_joints(const RobotState& state, double dt) noexcept {
+  for (LegId i = 0; i < legs_.size(); ++i) {
+    const LegModel& leg = model_->legs[i];
+    LegSolution wanted = wanted_joints(i, state);
+    reachable_[i] = wanted.reachable;
+
+    // What asks for more than a servo can do becomes a motion as fast as it can.
+    LegJoints change = wanted.q - targets_.q[i];
+    bool limited = false;
+    for (int k = 0; k < leg.num_joints(); ++k)
+      limited = limited || std::abs(change[k]) > leg.limits[k].velocity * dt;
+    if (limited) {
+      for (int k = 0; k < leg.num_joints(); ++k) {
+        const double most = leg.limits[k].velocity * dt;
+        change[k] = std::clamp(change[k], -most, most);
+      }
+      wanted.q = targets_.q[i] + change;
+      wanted.trig = leg_trig(leg, wanted.q);
+    }
+    last_change_[i] = change;
+    targets_.q[i] = wanted.q;
+    targets_.qd[i] = change / dt;
+    trig_[i] = wanted.trig;
+    if (led_by_joints(i)) {
+      const Vector3 p_BF = foot_position(leg, trig_[i]);
+      legs_[i].v_O = state.X_OB.R * (p_BF - legs_[i].p_BF) / dt;
+      legs_[i].p_BF = p_BF;
+    }
+    targets_.mode[i] = legs_[i].phase == LegPhase::follow ? plans_[i].mode : ControlMode::position;
+  }
+}
+
+void Executor::set_efforts(const RobotState& state, double dt) noexcept {
+  const int n = legs_.size();
+  WholeBodyInput input{.p_BF = LegArray<Vector3>(n),
+                       .trig = trig_,
+                       .load = LegArray<double>(n),
+                       .up_B = state.X_OB.R.row(2),
+                       .q = targets_.q,
+                       .normal_B = LegArray<Vector3>(n),
+                       .error = base_error_};
+  for (LegId i = 0; i < n; ++i) {
+    input.p_BF[i] = legs_[i].p_BF;
+    input.load[i] = legs_[i].load;
+    if (params_.controller == WholeBodyController::virtual_model)
+      input.normal_B[i] = state.X_OB.R.transpose() * legs_[i].normal_O;
+  }
+  targets_.effort =
+      joint_efforts(params_.controller, *model_, input, params_.gravity, params_.virtual_model);
+
+  for (LegId i = 0; i < legs_.size(); ++i) {
+    // A plan that drives a leg by efforts does it alone; the feet that stand are the controller's.
+    if (params_.controller == WholeBodyController::virtual_model) {
+      if (targets_.mode[i] == ControlMode::effort) targets_.effort[i].setZero();
+      if (legs_[i].on_ground()) targets_.mode[i] = ControlMode::effort;
+    }
+
+    // What a plan adds comes and goes within kEffortRamp.
+    const LegJoints wish = planned_effort(i, state);
+    if (none(wish) && none(planned_effort_[i])) continue;
+    for (int k = 0; k < model_->legs[i].num_joints(); ++k) {
+      const double most = model_->legs[i].limits[k].effort * dt / kEffortRamp;
+      planned_effort_[i][k] += std::clamp(wish[k] - planned_effort_[i][k], -most, most);
+    }
+    targets_.effort[i] += planned_effort_[i];
+  }
+}
+
+LegJoints Executor::planned_effort(LegId leg, const RobotState& state) const noexcept {
+  const LegPlan& plan = plans_[leg];
+  if (legs_[leg].phase != LegPhase::follow) return LegJoints::Zero();
+  if (plan.kind == LegPlan::Kind::joints) return plan.joints.at(legs_[leg].time).effort;
+  if (plan.force_O.isZero()) return LegJoints::Zero();
+  return foot_jacobian(model_->legs[leg], trig_[leg]).transpose() *
+         (state.X_OB.R.transpose() * plan.force_O);
+}
+
+}  // namespace hexagait

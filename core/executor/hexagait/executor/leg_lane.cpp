@@ -1,0 +1,318 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <hexagait/executor/leg_lane.hpp>
+
+namespace hexagait {
+namespace {
+
+// Shortest time to go of the minimum-jerk law: bounds its gains [s].
+constexpr double kMinTimeToGo = 0.05;
+
+void enter(LegLane& lane, LegPhase phase) {
+  lane.phase = phase;
+  lane.time = 0.0;
+}
+
+// A step begins where the foot is; nothing of the step before counts any more.
+void begin_step(LegLane& lane, LegPhase phase, const Pose& X_OB) {
+  enter(lane, phase);
+  lane.cleared = false;
+  lane.retreats = 0;
+  lane.reach_share = 1.0;
+  lane.transfer_clock = 0.0;
+  lane.p_OL = X_OB * lane.p_BF;
+}
+
+void ramp(double& value, double target, double step) {
+  value += std::clamp(target - value, -step, step);
+}
+
+// Minimum-jerk feedback (Flash & Hogan 1985, re-solved at every tick): the jerk that would bring a
+// point at distance `error` from its target to rest there in `time_to_go`. The target may move.
+double jerk_to(double error, double velocity, double acceleration, double time_to_go) {
+  const double T = std::max(time_to_go, kMinTimeToGo);
+  return (60.0 * error / T - 36.0 * velocity) / (T * T) - 9.0 * acceleration / T;
+}
+
+double height_of(const LegLane& lane, const Pose& X_OB) {
+  return X_OB.R.row(2).dot(lane.p_BF) + X_OB.p.z();
+}
+
+// Time left of the sideways motion over a distance [s].
+double time_to_go(const LegLane& lane, double distance, const SwingParams& params) {
+  return std::max(params.transfer_time - lane.transfer_clock,
+                  kMinimumJerkPeak * distance / params.max_speed);
+}
+
+// From the foot to the foothold, horizontally [m].
+Vector2 way_to_go(const LegLane& lane, const Pose& X_OB) {
+  const Vector3 p_OF = X_OB * lane.p_BF;
+  const Vector3 target = lane.p_OL + lane.reach_share * (lane.step.p_OT - lane.p_OL);
+  return (target - p_OF).head<2>();
+}
+
+void move_sideways(LegLane& lane, const Vector2& way, double dt, const SwingParams& params) {
+  lane.transfer_clock += dt;
+  const double T = time_to_go(lane, way.norm(), params);
+  for (int k = 0; k < 2; ++k) lane.a_O[k] += dt * jerk_to(way[k], lane.v_O[k], lane.a_O[k], T);
+}
+
+void move_up(LegLane& lane, double way, double time_left, double dt) {
+  lane.a_O.z() += dt * jerk_to(way, lane.v_O.z(), lane.a_O.z(), time_left);
+}
+
+// Slow where the ground is expected, faster the farther the foot is from there: it then brakes for
+// the ground above, or searches for it below.
+void move_down(LegLane& lane, double height, double dt, const SwingParams& params) {
+  const double off = std::abs(height - lane.step.p_OT.z()) - params.touchdown_margin;
+  const double bound = height > lane.step.p_OT.z() ? params.descent_speed : params.search_speed;
+  const double speed =
+      std::min(bound, std::sqrt(params.touchdown_speed * params.touchdown_speed +
+                                params.vertical_acceleration * std::max(0.0, off)));
+  const double change = params.vertical_acceleration * dt;
+  lane.a_O.z() = std::clamp(-speed - lane.v_O.z(), -change, change) / dt;
+}
+
+void land(LegLane& lane) {
+  enter(lane, LegPhase::support);
+  lane.v_O.setZero();
+  lane.a_O.setZero();
+  lane.without_contact = 0.0;
+  lane.with_contact = 0.0;
+  lane.confirmed = false;
+}
+
+// Back where it came from and up; the next try goes higher, and after two tries less far.
+void retreat(LegLane& lane, const SwingParams& params) {
+  enter(lane, LegPhase::retreat);
+  lane.apex_z += params.retreat_up;
+  lane.transfer_clock = 0.0;
+  if (++lane.retreats > 2) lane.reach_share *= 0.6;
+}
+
+void support(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
+             const SwingParams& params) {
+  lane.without_contact = sensed.contact ? 0.0 : lane.without_contact + dt;
+  const bool lost = lane.without_contact > params.lost_time;
+  ramp(lane.load, lost ? 0.0 : 1.0, dt / params.load_time);
+  if (!lane.confirmed) {
+    lane.with_contact = sensed.contact ? lane.with_contact + dt : 0.0;
+    lane.confirmed = lane.touched_down = lane.with_contact >= params.confirm_time;
+  }
+  if (lane.without_contact > (lane.confirmed ? params.regain_time : params.lost_time)) {
+    begin_step(lane, params.reflexes ? LegPhase::descend : LegPhase::search, X_OB);
+    lane.cleared = lane.lost = true;
+    lane.step.p_OT = lane.p_OL;
+    lane.apex_z = lane.p_OL.z() + lane.step.profile_height;
+  }
+}
+
+void unload(LegLane& lane, double dt, const Pose& X_OB, const SwingParams& params) {
+  ramp(lane.load, 0.0, dt / params.unload_time);
+  if (lane.load > 0.0) return;
+  if (lane.after_unload != LegPhase::lift) return enter(lane, lane.after_unload);
+  lane.p_OL = X_OB * lane.p_BF;
+  lane.apex_z = std::max(lane.p_OL.z(), lane.step.p_OT.z()) + lane.step.profile_height;
+  enter(lane, LegPhase::lift);
+}
+
+void swing(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
+           const SwingParams& params) {
+  const double height = height_of(lane, X_OB);
+  const Vector2 way = way_to_go(lane, X_OB);
+  const double risen = height - lane.p_OL.z();
+  const bool sideways =
+      lane.transfer_clock > 0.0 || risen > params.clearance_share * lane.step.profile_height;
+  lane.cleared = lane.cleared || !sensed.contact;
+
+  if (sideways) move_sideways(lane, way, dt, params);
+  move_up(lane, lane.apex_z - height, params.lift_time - lane.time, dt);
+
+  const bool blocked = sensed.contact || sensed.tracking_error > params.blocked_error;
+  if (sideways && lane.cleared && blocked) {
+    retreat(lane, params);
+  } else if (lane.phase == LegPhase::lift && sideways) {
+    lane.phase = LegPhase::transfer;  // the clock goes on: it paces the way up
+  } else if (lane.phase == LegPhase::transfer &&
+             time_to_go(lane, way.norm(), params) < params.overlap_time &&
+             lane.apex_z - height < 0.3 * lane.step.profile_height) {
+    enter(lane, LegPhase::descend);
+  }
+}
+
+void descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
+             const SwingParams& params) {
+  const double height = height_of(lane, X_OB);
+  lane.cleared = lane.cleared || !sensed.contact;
+  const bool found = sensed.contact && lane.cleared;
+  if (found) return land(lane);
+  if (!sensed.reachable || sensed.tracking_error > params.blocked_error) {
+    lane.reach_share *= 0.6;
+    return retreat(lane, params);
+  }
+
+  // The last centimetres straight down, so that the foot comes down without sliding.
+  const bool committed = height < lane.step.p_OT.z() + params.commit_height;
+  move_sideways(lane, committed ? Vector2::Zero() : way_to_go(lane, X_OB), dt, params);
+  move_down(lane, height, dt, params);
+}
+
+// As far as the curve goes in this time, and back to it. (Of what joints do, the executor knows.)
+void follow_curve(LegLane& lane, LegPlan& plan, const Pose& X_OB, double dt, double rate,
+                  const SwingParams& params) {
+  const PointState to = plan.foot.along(lane.time);
+  const double back = params.follow_rate * dt;
+  if (plan.in_body) {
+    lane.p_BF += to.p - lane.p_plan + back * (lane.p_plan - lane.p_BF);
+    lane.v_O = X_OB.R * (rate * to.v);
+    lane.a_O = X_OB.R * (rate * to.a);
+  } else {
+    const Vector3 way_O = to.p - lane.p_plan + back * (lane.p_plan - X_OB * lane.p_BF);
+    lane.p_BF += X_OB.R.transpose() * way_O;
+    lane.v_O = rate * to.v;
+    lane.a_O = rate * to.a;
+  }
+  lane.p_plan = to.p;
+}
+
+// No ground where the plan ended, or where it was: on against the surface normal.
+void search(LegLane& lane, const LegSensed& sensed, double dt, const SwingParams& params) {
+  lane.cleared = lane.cleared || !sensed.contact;
+  if (sensed.contact && lane.cleared) return land(lane);
+  if (!sensed.reachable || lane.time > params.search_time) {
+    lane.exhausted = true;
+    return enter(lane, LegPhase::hold);
+  }
+  const Vector3 change = -params.search_speed * lane.normal_O - lane.v_O;
+  const double most = params.vertical_acceleration * dt;
+  lane.a_O = change * (std::min(1.0, most / std::max(change.norm(), 1e-12)) / dt);
+}
+
+void step_back(LegLane& lane, double dt, const Pose& X_OB, const SwingParams& params) {
+  const Vector2 back = (lane.p_OL - X_OB * lane.p_BF).head<2>();
+  const double distance = back.norm();
+  const Vector2 way = distance > 0.0 ? Vector2(back * std::min(1.0, params.retreat_back / distance))
+                                     : Vector2::Zero();
+  const double T = params.retreat_time - lane.time;
+  for (int k = 0; k < 2; ++k) lane.a_O[k] += dt * jerk_to(way[k], lane.v_O[k], lane.a_O[k], T);
+  move_up(lane, lane.apex_z - height_of(lane, X_OB), T, dt);
+  if (lane.time > params.retreat_time) {
+    enter(lane, LegPhase::transfer);
+    lane.cleared = false;
+  }
+}
+
+}  // namespace
+
+const char* to_string(LegPhase phase) noexcept {
+  switch (phase) {
+    case LegPhase::support:
+      return "support";
+    case LegPhase::unload:
+      return "unload";
+    case LegPhase::lift:
+      return "lift";
+    case LegPhase::transfer:
+      return "transfer";
+    case LegPhase::descend:
+      return "descend";
+    case LegPhase::retreat:
+      return "retreat";
+    case LegPhase::follow:
+      return "follow";
+    case LegPhase::search:
+      return "search";
+    case LegPhase::hold:
+      return "hold";
+  }
+  return "?";
+}
+
+void command(LegLane& lane, const Footstep& step, const Pose& X_OB) noexcept {
+  const bool starts = lane.phase == LegPhase::support;
+  lane.step = step;
+  if (!starts) return;
+  lane.after_unload = LegPhase::lift;
+  begin_step(lane, LegPhase::unload, X_OB);
+}
+
+void command(LegLane& lane, const LegPlan& plan, const Pose& X_OB) noexcept {
+  const bool stood = lane.on_ground();
+  lane.normal_O = plan.normal_O;
+  lane.with_body = plan.with_body();
+  lane.lost = lane.exhausted = false;
+  lane.after_unload = LegPhase::follow;
+  lane.p_plan = plan.foot.at(0.0).p;
+  begin_step(lane, stood ? LegPhase::unload : LegPhase::follow, X_OB);
+  lane.cleared = !stood;
+}
+
+void follow(LegLane& lane, LegPlan& plan, const LegSensed& sensed, const Pose& X_OB, double dt,
+            double rate, const SwingParams& params) noexcept {
+  lane.lifted = lane.touched_down = false;
+  ramp(lane.load, 0.0, dt / params.unload_time);
+  lane.cleared = lane.cleared || !sensed.contact;
+  lane.time = std::min(lane.time + rate * dt, plan.duration);
+  if (plan.kind == LegPlan::Kind::foot) follow_curve(lane, plan, X_OB, dt, rate, params);
+  if (plan.kind == LegPlan::Kind::keep) lane.v_O.setZero();
+  if (plan.kind != LegPlan::Kind::foot) lane.a_O.setZero();
+
+  const bool ended = lane.time >= plan.duration;
+  const bool coming_down = lane.v_O.dot(lane.normal_O) < 0.0 || lane.time > 0.5 * plan.duration;
+  if (plan.lands && sensed.contact && (ended || (lane.cleared && coming_down))) return land(lane);
+  if (!ended) return;
+  enter(lane, plan.lands ? LegPhase::search : LegPhase::hold);
+}
+
+// A leg that was about to leave has to prove that it still stands: nobody has looked since. One
+// that has not left yet stands as soon as it is told to.
+void interrupt(LegLane& lane, bool to_stand) noexcept {
+  if (lane.phase == LegPhase::unload) {
+    enter(lane, LegPhase::support);
+    lane.with_contact = lane.without_contact = 0.0;
+    lane.confirmed = false;
+  }
+  if (lane.phase != LegPhase::follow) return;
+  lane.cleared = true;
+  enter(lane, to_stand ? LegPhase::search : LegPhase::hold);
+}
+
+void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt,
+             const SwingParams& params) noexcept {
+  lane.lifted = lane.phase == LegPhase::unload && lane.time == 0.0;
+  lane.touched_down = false;
+  lane.time += dt;
+  switch (lane.phase) {
+    case LegPhase::support:
+      return support(lane, sensed, dt, X_OB, params);
+    case LegPhase::unload:
+      return unload(lane, dt, X_OB, params);
+    case LegPhase::lift:
+    case LegPhase::transfer:
+      swing(lane, sensed, dt, X_OB, params);
+      break;
+    case LegPhase::descend:
+      descend(lane, sensed, dt, X_OB, params);
+      break;
+    case LegPhase::retreat:
+      step_back(lane, dt, X_OB, params);
+      break;
+    case LegPhase::search:
+      search(lane, sensed, dt, params);
+      break;
+    case LegPhase::follow:  // has a function of its own
+    case LegPhase::hold:
+      lane.v_O.setZero();
+      lane.a_O.setZero();
+      break;
+  }
+  if (lane.phase != LegPhase::support) ramp(lane.load, 0.0, dt / params.unload_time);
+
+  // Semi-implicit: the new velocity moves the point.
+  lane.v_O += dt * lane.a_O;
+  lane.p_BF += X_OB.R.transpose() * (dt * lane.v_O);
+}
+
+}  // namespace hexagait

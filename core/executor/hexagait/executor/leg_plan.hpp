@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <hexagait/curves/base_curve.hpp>
+#include <hexagait/curves/foot_curve.hpp>
+#include <hexagait/curves/joint_curve.hpp>
+#include <hexagait/plant/plant.hpp>
+
+namespace hexagait {
+
+/// A motion of one leg over time, ready to be executed: what a command of a script becomes when its
+/// step starts.
+struct LegPlan {
+  enum class Kind : std::uint8_t {
+    foot,    ///< the foot along a curve
+    joints,  ///< the joints along a curve
+    keep,    ///< everything stays as it is
+  };
+  Kind kind = Kind::keep;
+  double duration = 0.0;  ///< [s]
+  FootCurve foot;         ///< in odom or, if in_body, in the body frame
+  bool in_body = false;   ///< of a foot's curve
+  JointCurve joints;      ///< [rad]
+  ControlMode mode = ControlMode::position;
+  Vector3 force_O = Vector3::Zero();    ///< of the foot on the world, fed forward [N]
+  Vector3 normal_O = Vector3::UnitZ();  ///< of the ground that is expected, unit vector
+  bool lands = true;                    ///< to be a support leg at the end
+
+  [[nodiscard]] bool with_body() const { return kind != Kind::foot || in_body; }
+};
+
+/// A motion of the base in odom over time.
+struct BasePlan {
+  BaseCurve curve;
+};
+
+}  // namespace hexagait

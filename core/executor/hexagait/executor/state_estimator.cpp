@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <hexagait/executor/state_estimator.hpp>
+#include <hexagait/plant/plant_watch.hpp>
+#include <hexagait/text/invalid_input.hpp>
+
+namespace hexagait {
+namespace {
+
+// Without contact sensors: a foot touches down where the ground was expected.
+bool planned_contact(const LegLane& lane, const Pose& X_OB) {
+  switch (lane.phase) {
+    case LegPhase::support:
+    case LegPhase::unload:
+    case LegPhase::search:
+      return true;
+    case LegPhase::descend:
+      return (X_OB * lane.p_BF).z() <= lane.step.p_OT.z();
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+RobotState StateEstimator::start(const Measurement& measurement, RestsOn rests_on) {
+  const int n = model_->num_legs();
+  if (!valid(measurement, *model_))
+    throw InvalidInput("start: the measurement must have a finite position for every joint of " +
+                       model_->name);
+  RobotState state;
+  state.time = measurement.time;
+  state.q = LegArray<LegJoints>(n);
+  state.contact = LegArray<bool>(n, rests_on == RestsOn::feet);
+  state.trig = LegArray<LegTrig>(n);
+  state.p_BF = LegArray<Vector3>(n);
+  for (LegId i = 0; i < n; ++i) {
+    state.q[i] = own_joints(model_->legs[i], measurement.q[i]);
+    state.trig[i] = leg_trig(model_->legs[i], state.q[i]);
+    state.p_BF[i] = foot_position(model_->legs[i], state.trig[i]);
+  }
+  odometry_.reset(state, rests_on);
+  return state;
+}
+
+void StateEstimator::update(RobotState& state, const Measurement& measurement,
+                            const Executor& executor, double dt) noexcept {
+  state.time = measurement.time;
+  for (LegId i = 0; i < model_->num_legs(); ++i) {
+    state.q[i] = sensors_.joint_feedback ? own_joints(model_->legs[i], measurement.q[i])
+                                         : executor.targets().q[i];
+    state.trig[i] = leg_trig(model_->legs[i], state.q[i]);
+    state.p_BF[i] = foot_position(model_->legs[i], state.trig[i]);
+    state.contact[i] = sensors_.foot_contacts ? measurement.contact[i]
+                                              : planned_contact(executor.legs()[i], state.X_OB);
+  }
+  odometry_.update(state, executor.footing(), dt);
+}
+
+}  // namespace hexagait

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <hexagait/load/detail/action_keys.hpp>
+#include <hexagait/load/load_action.hpp>
+
+namespace hexagait::action {
+
+inline constexpr NumberRule kNotNegative{NumberRule::Bound::not_negative};
+inline constexpr NumberRule kPositive{NumberRule::Bound::positive};
+inline constexpr NumberRule kPositiveAngle{NumberRule::Bound::positive, true};
+
+/// The words that may stand for frames and legs.
+struct ActionWords {
+  const RobotModel& model;
+  const ActionVocabulary& vocabulary;
+  std::vector<std::string> frames;
+  std::vector<std::string> legs;
+};
+[[nodiscard]] ActionWords action_words(const RobotModel& model, const ActionVocabulary& vocabulary);
+
+// Values that several commands have. What is wrong is refused, and the default returned.
+
+[[nodiscard]] LegId read_leg(YamlReader& yaml, const ActionWords& words, const YamlFields& fields);
+
+/// A frame's name; also refused if it is not there.
+[[nodiscard]] FrameId read_frame(YamlReader& yaml, const ActionWords& words,
+                                 const YamlFields& fields, std::string_view key = "frame");
+
+/// Roll, pitch, yaw or a quaternion x, y, z, w of length one (within 1e-3).
+[[nodiscard]] Matrix3 read_orientation(YamlReader& yaml, const YamlField& field);
+
+/// `position` and `orientation`, which must be there.
+[[nodiscard]] Pose read_pose(YamlReader& yaml, const YamlFields& fields);
+
+[[nodiscard]] Position read_position(YamlReader& yaml, const ActionWords& words,
+                                     const YamlField& field);
+[[nodiscard]] Direction read_normal(YamlReader& yaml, const ActionWords& words,
+                                    const YamlField& field);
+
+/// The time of a knot, which must be later than the one before it: −1 before the first.
+[[nodiscard]] double read_time(YamlReader& yaml, const YamlFields& knot, double before);
+
+/// The knots of a trajectory, at least one; refused and empty otherwise.
+[[nodiscard]] std::vector<YamlField> read_knots(YamlReader& yaml, const YamlFields& trajectory);
+
+}  // namespace hexagait::action

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <hexagait/model/kinematics.hpp>
+
+namespace hexagait {
+
+bool within_limits(const LegModel& leg, const LegJoints& q) noexcept {
+  for (int i = 0; i < leg.num_joints(); ++i)
+    if (!within(leg.limits[i], q[i])) return false;
+  return true;
+}
+
+LegJoints own_joints(const LegModel& leg, const LegJoints& q) noexcept {
+  LegJoints own = LegJoints::Zero();
+  own.head<kMinLegJoints>() = q.head<kMinLegJoints>();
+  for (int i = kMinLegJoints; i < leg.num_joints(); ++i) own[i] = q[i];
+  return own;
+}
+
+Pose link_pose(const LegModel& leg, int link, const LegJoints& q) noexcept {
+  assert(0 <= link && link < leg.num_joints());
+  Pose X_BB0;  // what the joints up to the link do to the body as it stands at zero
+  for (int i = 0; i <= link; ++i) {
+    const Matrix3 R = rotation(leg.axis_B0[i] * q[i]);
+    X_BB0 = X_BB0 * Pose{R, leg.p_BJ0[i] - R * leg.p_BJ0[i]};
+  }
+  return X_BB0 * leg.links[link].X_BL0;
+}
+
+}  // namespace hexagait

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <hexagait/model/kinematics.hpp>
+#include <hexagait/model/leg_weight.hpp>
+
+namespace hexagait {
+namespace {
+
+// Inertia about p_BM of a link at X_BL (Steiner).
+Matrix3 inertia_about(const Vector3& p_BM, const LinkModel& link, const Pose& X_BL) {
+  const Vector3 arm = X_BL * link.p_LM - p_BM;
+  return X_BL.R * link.inertia_M_L * X_BL.R.transpose() +
+         link.mass * (arm.squaredNorm() * Matrix3::Identity() - arm * arm.transpose());
+}
+
+}  // namespace
+
+LegWeight leg_weight(const LegModel& leg, const LegJoints& q, const Vector3& g_up_B) noexcept {
+  const int joints = leg.num_joints();
+  JointArray<Vector3> p_BJ(joints), axis_B(joints), moment_B(joints);
+
+  // From the hip outwards: where the joints are, and the links' centres of mass.
+  Pose X_BB0;  // what the joints so far do to the leg as it is at zero
+  for (int i = 0; i < joints; ++i) {
+    p_BJ[i] = X_BB0 * leg.p_BJ0[i];
+    axis_B[i] = X_BB0.R * leg.axis_B0[i];
+    const Matrix3 R = rotation(leg.axis_B0[i] * q[i]);
+    X_BB0 = X_BB0 * Pose{R, leg.p_BJ0[i] - R * leg.p_BJ0[i]};
+    const LinkModel& link = leg.links[i];
+    moment_B[i] = link.mass * (X_BB0 * (link.X_BL0 * link.p_LM));
+  }
+
+  // And back: each joint holds all that is outside of it.
+  LegWeight weight;
+  double mass = 0.0;
+  for (int i = joints; i-- > 0;) {
+    mass += leg.links[i].mass;
+    weight.moment_B += moment_B[i];
+    weight.effort[i] = axis_B[i].dot((weight.moment_B - mass * p_BJ[i]).cross(g_up_B));
+  }
+  return weight;
+}
+
+Matrix3 nominal_inertia(const RobotModel& robot) {
+  Matrix3 inertia = inertia_about(robot.p_BM, robot.base, {});
+  for (const LegModel& leg : robot.legs) {
+    const LegJoints q = inverse_kinematics(leg, leg.p_BC).q;
+    for (int i = 0; i < leg.num_joints(); ++i)
+      inertia += inertia_about(robot.p_BM, leg.links[i], link_pose(leg, i, q));
+  }
+  return inertia;
+}
+
+}  // namespace hexagait

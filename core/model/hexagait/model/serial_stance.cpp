@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <hexagait/model/kinematics.hpp>
+#include <hexagait/model/serial_stance.hpp>
+#include <limits>
+
+namespace hexagait {
+namespace {
+
+constexpr double kSingularMargin = 0.04;  // of the longest reach
+constexpr double kHeightRatio = 2.2;      // length / nominal height of a leg that sprawls
+constexpr double kUprightHeight = 0.8;    // nominal height / longest reach of one that stands below
+constexpr double kSteep = 0.7;            // z of a first axis that is a yaw's
+constexpr double kImmobile = 1e-3;        // σ / reach below which the foot doesn't move that way
+constexpr double kNimble = 0.08;          // σ / reach that a nominal stance should have
+constexpr double kFarFromLimit = 0.3;     // joints farther from limits don't count as better [rad]
+constexpr double kSameScore = 1e-6;
+constexpr double kSettled = 1e-9;  // change of a squared distance [m²]
+
+/// Smallest singular value of the Jacobian, by the reach; 0 where a direction is lost.
+double dexterity(const LegModel& leg, const LegJoints& q) {
+  const LegJacobian J = foot_jacobian(leg, leg_trig(leg, q));
+  const Matrix3 JJ = J * J.transpose();
+  const double least =
+      Eigen::SelfAdjointEigenSolver<Matrix3>(JJ, Eigen::EigenvaluesOnly).eigenvalues().minCoeff();
+  return std::sqrt(std::max(least, 0.0)) / leg.max_reach;
+}
+
+/// Postures all over the ranges of the joints from `first` on: `levels` values of each.
+std::vector<LegJoints> postures(const LegModel& leg, int levels, int first = 0) {
+  std::vector<LegJoints> all = {LegJoints::Zero()};
+  for (int i = first; i < leg.num_joints(); ++i) {
+    std::vector<LegJoints> more;
+    const JointLimits& limits = leg.limits[i];
+    for (LegJoints q : all)
+      for (int level = 0; level < levels; ++level) {
+        q[i] = limits.lower + (limits.upper - limits.lower) * (level + 0.5) / levels;
+        more.push_back(q);
+      }
+    all = std::move(more);
+  }
+  return all;
+}
+
+/// The angle in `limits` that is best for a + b cos q + c sin q, of those a whole turn apart the
+/// one nearest to the middle; at a limit if that isn't among them.
+double best_angle(const JointLimits& limits, double b, double c, double sign) {
+  const double middle = 0.5 * (limits.lower + limits.upper);
+  const double top = middle + wrap_angle(std::atan2(sign * c, sign * b) - middle);
+  if (limits.lower <= top && top <= limits.upper) return top;
+  const auto value = [&](double q) { return sign * (b * std::cos(q) + c * std::sin(q)); };
+  return value(limits.lower) > value(limits.upper) ? limits.lower : limits.upper;
+}
+
+/// Turns one joint after the other so that the foot is farthest from the hip (sign 1) or nearest.
+double extreme_distance(const LegModel& leg, LegJoints q, double sign) {
+  constexpr int kMaxSweeps = 30;
+  const auto squared = [&] { return (foot_position(leg, q) - leg.X_BH.p).squaredNorm(); };
+  double last = squared();
+  for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
+    for (int i = 1; i < leg.num_joints(); ++i) {
+      // Three samples give the sinusoid.
+      const auto at = [&](double angle) { return q[i] = angle, squared(); };
+      const double zero = at(0.0), quarter = at(0.5 * std::numbers::pi),
+                   half = at(std::numbers::pi);
+      const double a = 0.5 * (zero + half);
+      q[i] = best_angle(leg.limits[i], zero - a, quarter - a, sign);
+    }
+    const double now = squared();
+    const bool settled = std::abs(now - last) < kSettled;
+    last = now;
+    if (settled) break;
+  }
+  return std::sqrt(last);
+}
+
+Reach extreme_distances(const LegModel& leg) {
+  // The hip is on the first axis: that joint plays no part. From the most promising postures.
+  constexpr std::size_t kStarts = 6;
+  std::vector<LegJoints> starts = postures(leg, 2, 1);
+  const std::size_t n = std::min(kStarts, starts.size());
+  std::ranges::sort(starts, {}, [&](const LegJoints& q) {
+    return (foot_position(leg, q) - leg.X_BH.p).squaredNorm();
+  });
+  Reach reach{std::numeric_limits<double>::infinity(), 0.0};
+  for (std::size_t i = 0; i < n; ++i) {
+    reach.min = std::min(reach.min, extreme_distance(leg, starts[i], -1.0));
+    reach.max = std::max(reach.max, extreme_distance(leg, starts[starts.size() - 1 - i], 1.0));
+  }
+  return reach;
+}
+
+/// How good a posture is. Knees up count some, and if all else is equal, knees inwards.
+struct Score {
+  double value = -1.0;
+  double inwards = 0.0;
+
+  friend bool operator<(const Score& a, const Score& b) {
+    if (std::abs(a.value - b.value) > kSameScore) return a.value < b.value;
+    return a.inwards < b.inwards - kSameScore;
+  }
+};
+
+Score score(const LegModel& leg, const LegJoints& q) {
+  double room = kFarFromLimit, up = 0.0, inwards = 0.0;
+  for (int i = 0; i < leg.num_joints(); ++i) {
+    room = std::min({room, q[i] - leg.limits[i].lower, leg.limits[i].upper - q[i]});
+    const Vector3 p = link_pose(leg, i, q).p;
+    up += p.z() - leg.X_BH.p.z();
+    inwards -= p.head<2>().norm();
+  }
+  const double height = up / (leg.num_joints() * leg.max_reach);
+  return {dexterity(leg, q) * (room / kFarFromLimit) * (1.0 + height), inwards};
+}
+
+/// The best posture with the foot there. A leg of more than three joints has a family of them: the
+/// pull of each search goes to where it began.
+Score best_posture(const LegModel& leg, const Vector3& p_BF, LegJoints& best_q) {
+  const int n = leg.num_joints(), levels = n == 3 ? 4 : n == 4 ? 3 : 2;
+  Score best;
+  LegModel model = leg;
+  for (const LegJoints& from : postures(leg, levels)) {
+    model.q_nominal = from;
+    const LegSolution solution = inverse_kinematics(model, p_BF);
+    if (!solution.reachable) continue;
+    const Score found = score(leg, solution.q);
+    if (best < found) best = found, best_q = solution.q;
+  }
+  return best;
+}
+
+/// Where the rule has the nominal foot, in the hip frame.
+Vector3 nominal_place(const LegModel& leg) {
+  const SerialLengths lengths = serial_lengths(leg);
+  if (std::abs(leg.axis_B0[0].z()) < kSteep)
+    return {lengths.lateral, 0.0, -kUprightHeight * leg.max_reach};
+  return {lengths.coxa + lengths.upper, 0.0, -(lengths.upper + lengths.rest) / kHeightRatio};
+}
+
+/// That place, and others around it, the nearest first.
+std::vector<Vector3> places(const LegModel& leg) {
+  constexpr int kRings = 2;
+  constexpr double kStep = 0.15;  // of the longest reach
+  const Vector3 rule = nominal_place(leg);
+  std::vector<Vector3> all = {rule};
+  for (int x = -kRings; x <= kRings; ++x)
+    for (int z = -kRings; z <= kRings; ++z)
+      if (x != 0 || z != 0) all.push_back(rule + kStep * leg.max_reach * Vector3(x, 0, z));
+  std::ranges::stable_sort(all, {}, [&](const Vector3& p) { return (p - rule).norm(); });
+  return all;
+}
+
+/// The foot can nowhere be moved in all three directions.
+bool is_immobile(const LegModel& leg) {
+  return std::ranges::all_of(postures(leg, 3),
+                             [&](const LegJoints& q) { return dexterity(leg, q) < kImmobile; });
+}
+
+}  // namespace
+
+SerialLengths serial_lengths(const LegModel& leg) {
+  SerialLengths lengths;
+  for (int i = 0; i < leg.num_joints(); ++i) {
+    const bool last = i + 1 == leg.num_joints();
+    const Vector3 p = leg.p_BJ0[i], a = leg.axis_B0[i];
+    const NearestPoints ends = last ? nearest_points(p, a, leg.p_BF0, a)
+                                    : nearest_points(p, a, leg.p_BJ0[i + 1], leg.axis_B0[i + 1]);
+    const double length = (ends.on_second - ends.on_first).norm();
+    (i == 0 ? lengths.coxa : i == 1 ? lengths.upper : lengths.rest) += length;
+  }
+  lengths.lateral = leg.X_BH.R.col(0).dot(leg.p_BF0 - leg.X_BH.p);
+  return lengths;
+}
+
+Reach serial_reach(const LegModel& leg) {
+  LegModel unlimited = leg;
+  for (JointLimits& limits : unlimited.limits) limits = JointLimits{};
+  const Reach free = extreme_distances(unlimited), limited = extreme_distances(leg);
+  const double margin = kSingularMargin * free.max;
+  return {.min = std::max(limited.min, free.min + margin),
+          .max = std::min(limited.max, free.max - margin)};
+}
+
+void take_serial_stance(LegModel& leg, Violations& violations) {
+  const Reach reach = serial_reach(leg);
+  leg.min_reach = reach.min;
+  leg.max_reach = std::max(reach.max, reach.min);
+  if (!(reach.max > 0.0) || is_immobile(leg)) {
+    violations.add("leg " + leg.name,
+                   "its joints cannot move the foot in all three directions; they must");
+    return;
+  }
+
+  // The first place that is good enough, else the best one.
+  Score best;
+  for (const Vector3& p_HF : places(leg)) {
+    const Vector3 p_BF = leg.X_BH * p_HF;
+    LegJoints q;
+    const Score found = best_posture(leg, p_BF, q);
+    if (best < found) best = found, leg.p_BC = p_BF, leg.q_nominal = q;
+    if (best.value > kNimble) break;
+  }
+  if (!(best.value > kImmobile)) {
+    violations.add("leg " + leg.name,
+                   "has no stance outside and below its hip at which the foot can be moved in all "
+                   "three directions; the joint limits must allow one");
+    return;
+  }
+  leg.workspace_radius = reachable_radius(leg);
+}
+
+}  // namespace hexagait

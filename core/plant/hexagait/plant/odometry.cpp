@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <hexagait/plant/odometry.hpp>
+
+namespace hexagait {
+namespace {
+
+// Keeps the rotation defined when fewer than three feet stand; with three it delays the estimate by
+// a millionth of a tick [m²].
+constexpr double kRegularisation = 1e-6;
+
+// A foot whose distance to every other one has changed by this much counts half [m].
+constexpr double kSlideTolerance = 0.001;
+
+Matrix3 cross_matrix(const Vector3& a) {
+  return (Matrix3() << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0).finished();
+}
+
+// One Gauss-Newton step of (odometry 1) from X: exact to second order in the motion of one tick,
+// and what is left over is corrected at the next.
+Pose registered(const Pose& X, const LegArray<Vector3>& p_BF, const LegArray<Vector3>& anchor_O,
+                const LegArray<double>& load) {
+  double weight = 0.0;
+  Vector3 centroid = Vector3::Zero(), residual = Vector3::Zero();
+  LegArray<Vector3> p_OF(p_BF.size());
+  for (LegId i = 0; i < p_BF.size(); ++i) {
+    p_OF[i] = X * p_BF[i];
+    weight += load[i];
+    centroid += load[i] * p_OF[i];
+    residual += load[i] * (anchor_O[i] - p_OF[i]);
+  }
+  if (weight <= 0.0) return X;
+  centroid /= weight;
+  residual /= weight;
+
+  Matrix3 inertia = kRegularisation * Matrix3::Identity();
+  Vector3 moment = Vector3::Zero();
+  for (LegId i = 0; i < p_BF.size(); ++i) {
+    const Vector3 arm = p_OF[i] - centroid;
+    inertia += load[i] * (arm.squaredNorm() * Matrix3::Identity() - arm * arm.transpose());
+    moment += load[i] * arm.cross(anchor_O[i] - p_OF[i]);
+  }
+  const Vector3 turn = inertia.inverse() * moment;
+
+  // exp(turn) to second order, made orthonormal again: turn is ~1e-3 rad in a tick.
+  const Matrix3 skew = cross_matrix(turn);
+  const Matrix3 R = orthonormalised((Matrix3::Identity() + skew + 0.5 * skew * skew) * X.R);
+  return {R, centroid + residual + R * (X.R.transpose() * (X.p - centroid))};
+}
+
+// By how much the distance of two feet has changed since they stand, squared [m²].
+double change2(const Vector3& now, const Vector3& then) {
+  const double now2 = now.squaredNorm(), then2 = then.squaredNorm();
+  return (now2 - then2) * (now2 - then2) / (4.0 * then2);  // now² − then² ≈ 2 · distance · change
+}
+
+// Feet that stand keep their distances (odometry 3). A foot is judged by the k-th smallest change
+// of its distances to the others, k = m/2 of m feet on the ground: half of them must agree with it.
+// The smallest alone is no sign: legs stand in rows, and a slide across a row changes no distance
+// in it. Up to m/2 − 1 sliding feet don't discredit those that stand.
+LegArray<double> without_sliding(const LegArray<double>& footing, const LegArray<Vector3>& p_BF,
+                                 const LegArray<Vector3>& anchor_O) {
+  std::array<LegId, kMaxLegs> standing{};
+  std::size_t m = 0;
+  for (LegId i = 0; i < p_BF.size(); ++i)
+    if (footing[i] > 0.0) standing[m++] = i;
+  if (m < 2) return footing;
+
+  // A row for each foot: its changes to the m − 1 others.
+  std::array<std::array<double, kMaxLegs>, kMaxLegs> change;
+  for (std::size_t a = 0; a < m; ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      const LegId i = standing[a], j = standing[b];
+      change[a][b] = change[b][a - 1] = change2(p_BF[i] - p_BF[j], anchor_O[i] - anchor_O[j]);
+    }
+  }
+  LegArray<double> trust = footing;
+  for (std::size_t a = 0; a < m; ++a) {
+    double* const row = change[a].data();
+    double* const judge = row + m / 2 - 1;
+    std::nth_element(row, judge, row + m - 1);
+    const double ratio2 = *judge / (kSlideTolerance * kSlideTolerance);
+    trust[standing[a]] /= 1.0 + ratio2 * ratio2;
+  }
+  return trust;
+}
+
+// Twist that takes the body from X_OB to Y_OB in dt, in the body frame.
+Twist twist_between(const Pose& X_OB, const Pose& Y_OB, double dt) {
+  const Matrix3 R = X_OB.R.transpose() * Y_OB.R;
+  return {X_OB.R.transpose() * (Y_OB.p - X_OB.p) / dt,
+          Vector3(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1)) / (2.0 * dt)};
+}
+
+}  // namespace
+
+void Odometry::reset(RobotState& state, RestsOn rests_on) {
+  const int n = model_->num_legs();
+  state.X_OB = rests_on == RestsOn::belly ? Pose{} : pose_over_feet(state);
+  state.V_B = {};
+  state.p_OF = LegArray<Vector3>(n);
+  for (LegId i = 0; i < n; ++i) state.p_OF[i] = state.X_OB * state.p_BF[i];
+  state.print_O = state.p_OF;
+  anchor_O_ = state.p_OF;
+  q_before_ = state.q;
+  trig_before_ = state.trig;
+  X_OB_ = state.X_OB;
+}
+
+Pose Odometry::pose_over_feet(const RobotState& state) const {
+  // Plane z = a + b x + c y through the feet, least squares: three normal equations.
+  Matrix3 normal = Matrix3::Zero();
+  Vector3 right = Vector3::Zero();
+  for (LegId i = 0; i < model_->num_legs(); ++i) {
+    const Vector3 row(1.0, state.p_BF[i].x(), state.p_BF[i].y());
+    normal += row * row.transpose();
+    right += row * state.p_BF[i].z();
+  }
+  const Vector3 plane = normal.inverse() * right;
+  const Vector3 up_B = Vector3(-plane.y(), -plane.z(), 1.0).normalized();
+
+  // z of odom is the plane's normal, x the body's forward direction within the plane.
+  const Vector3 forward_B = (Vector3::UnitX() - up_B.x() * up_B).normalized();
+  Pose X_OB;
+  X_OB.R.row(0) = forward_B;
+  X_OB.R.row(1) = up_B.cross(forward_B);
+  X_OB.R.row(2) = up_B;
+  X_OB.p = Vector3(0.0, 0.0, model_->foot_radius - plane.x() * up_B.z());
+  return X_OB;
+}
+
+void Odometry::update(RobotState& state, const LegArray<double>& footing, double dt) noexcept {
+  const int n = model_->num_legs();
+  const Vector3 up_B = X_OB_.R.row(2);
+  for (LegId i = 0; i < n; ++i)
+    if (footing[i] > 0.0) roll(state, i, state.V_B.w * dt, up_B);
+
+  const LegArray<double> trust = without_sliding(footing, state.p_BF, anchor_O_);
+  const Pose X_OB = registered(X_OB_, state.p_BF, anchor_O_, trust);
+  state.V_B = twist_between(X_OB_, X_OB, dt);
+  state.X_OB = X_OB_ = X_OB;
+
+  // A foot that does not carry its full share yet may still settle, and one may slide: follow it.
+  for (LegId i = 0; i < n; ++i) {
+    state.p_OF[i] = X_OB * state.p_BF[i];
+    anchor_O_[i] = trust[i] * anchor_O_[i] + (1.0 - trust[i]) * state.p_OF[i];
+    if (footing[i] > 0.0) state.print_O[i] = anchor_O_[i];
+  }
+  for (LegId i = 0; i < q_before_.size(); ++i) {  // of legs that there are: less than all to copy
+    q_before_[i] = state.q[i];
+    trig_before_[i] = state.trig[i];
+  }
+}
+
+// (odometry 2), over one tick.
+void Odometry::roll(RobotState& state, LegId leg, const Vector3& rotation_B,
+                    const Vector3& up_B) noexcept {
+  const Vector3 tibia_turn_B =
+      rotation_B + tibia_turn(model_->legs[leg], trig_before_[leg], state.q[leg] - q_before_[leg]);
+  anchor_O_[leg] += X_OB_.R * tibia_turn_B.cross(model_->foot_radius * up_B);
+}
+
+}  // namespace hexagait

@@ -1,0 +1,335 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <hexagait/model/kinematics.hpp>
+#include <hexagait/plant/odometry.hpp>
+#include <hexagait/sim/random.hpp>
+#include <hexagait/urdf/urdf.hpp>
+
+namespace hexagait {
+namespace {
+
+constexpr double kDt = 0.002;
+constexpr double kHeight = 0.3;  // of the body over the feet [m]
+
+/// Six feet 0.3 m below the body, where a hexapod has them.
+LegArray<Vector3> six_feet() {
+  LegArray<Vector3> p_BF(6);
+  for (LegId i = 0; i < 6; ++i) p_BF[i] = {0.5 - 0.5 * (i / 2), i % 2 == 0 ? 0.4 : -0.4, -kHeight};
+  return p_BF;
+}
+
+/// A robot with point feet. Its joints play no part in odometry.
+RobotModel point_footed(int legs) {
+  RobotModel model;
+  model.legs = LegArray<LegModel>(legs);
+  return model;
+}
+
+RobotState standing(const LegArray<Vector3>& p_BF) {
+  RobotState state;
+  const int n = p_BF.size();
+  state.q = LegArray<LegJoints>(n, LegJoints::Zero());
+  state.trig = LegArray<LegTrig>(n);
+  state.p_BF = p_BF;
+  return state;
+}
+
+/// The displacement by the twist V within t. The closed form for V constant: by halving.
+Pose displacement(const Twist& V, double t) {
+  constexpr int kHalvings = 12;
+  const double h = t / (1 << kHalvings);
+  Pose X{rotation(V.w * h), h * V.v + 0.5 * h * h * V.w.cross(V.v)};
+  for (int k = 0; k < kHalvings; ++k) X = X * X;
+  return X;
+}
+
+double distance(const Pose& a, const Pose& b) {
+  return (a.p - b.p).norm() + rotation_vector(a.R.transpose() * b.R).norm();
+}
+
+// On its belly, feet are anywhere and tell nothing: level is what the body says it is.
+TEST(OdometryReset, TakesABodyThatLiesForLevelWhereverItsFeetAre) {
+  const RobotModel model = point_footed(6);
+  RobotState state = standing(six_feet());
+  state.p_BF[0].z() += 0.4;
+  state.p_BF[3].z() += 0.2;
+  Odometry odometry(model);
+  odometry.reset(state, RestsOn::belly);
+  EXPECT_EQ(state.X_OB.R, Matrix3::Identity());
+  EXPECT_EQ(state.X_OB.p, Vector3::Zero());
+  EXPECT_EQ(state.print_O[3], state.p_BF[3]);
+
+  // With no foot to rely on it stays there.
+  odometry.update(state, LegArray<double>(6, 0.0), kDt);
+  EXPECT_LT(distance(state.X_OB, {}), 1e-12);
+}
+
+// z of odom is the normal of the plane through the feet, its origin ρ below their centres: however
+// the body is held, its pose is found but for what feet on a plane cannot tell, x, y and yaw.
+TEST(OdometryReset, LevelsTheFrameOnTheFeet) {
+  RobotModel model = point_footed(6);
+  model.foot_radius = 0.02;
+  const Matrix3 R = rotation({0.0, 0.1, 0.0}) * rotation({0.2, 0.0, 0.0});
+  RobotState state = standing(six_feet());
+  for (Vector3& p : state.p_BF)
+    p = R.transpose() * Vector3(p.x(), p.y(), model.foot_radius - kHeight);
+  Odometry odometry(model);
+  odometry.reset(state);
+  EXPECT_LT((state.X_OB.R.row(2) - R.row(2)).norm(), 1e-12);
+  EXPECT_NEAR(state.X_OB.R(1, 0), 0.0, 1e-12) << "x ahead";
+  EXPECT_GT(state.X_OB.R(0, 0), 0.0);
+  EXPECT_NEAR(state.X_OB.R.determinant(), 1.0, 1e-12);
+  EXPECT_LT((state.X_OB.p - Vector3(0.0, 0.0, kHeight)).norm(), 1e-12);
+  for (const Vector3& p : state.p_OF) EXPECT_NEAR(p.z(), model.foot_radius, 1e-12);
+}
+
+// Footholds at rest and a constant twist: X_OB = X_0 exp(V t). One Gauss-Newton step a tick is
+// exact to first order in its turn for any axis: |w dt|²/2 is left over. It is made good at the
+// next tick and doesn't add up: when the body stops, the estimate is exact.
+TEST(Odometry, ReproducesAnyTwistOverFixedFootholds) {
+  const RobotModel model = point_footed(6);
+  RandomSequence random{.seed = 1};
+  for (int trial = 0; trial < 20; ++trial) {
+    const auto u = [&](double bound) { return random.uniform(-bound, bound); };
+    const Twist V{{u(0.5), u(0.5), u(0.1)}, {u(0.2), u(0.2), u(0.5)}};
+    RobotState state = standing(six_feet());
+    Odometry odometry(model);
+    odometry.reset(state);
+    const Pose X_0 = state.X_OB;
+    const LegArray<Vector3> foothold_O = state.p_OF;
+    for (int tick = 1; tick <= 500; ++tick) {
+      const Pose X_OB = X_0 * displacement(V, tick * kDt);
+      for (LegId i = 0; i < 6; ++i) state.p_BF[i] = X_OB.inverse() * foothold_O[i];
+      odometry.update(state, LegArray<double>(6, 1.0), kDt);
+      ASSERT_LT(distance(state.X_OB, X_OB), 0.5 * (V.w * kDt).squaredNorm() + 1e-9);
+    }
+    EXPECT_LT((state.V_B.w - V.w).norm(), 1e-5);
+    EXPECT_LT((state.V_B.v - V.v).norm(), 1e-3) << "mean over the tick: differs by |w| |v| dt / 2";
+    for (int tick = 0; tick < 2; ++tick) odometry.update(state, LegArray<double>(6, 1.0), kDt);
+    EXPECT_LT(distance(state.X_OB, X_0 * displacement(V, 500 * kDt)), 1e-11);
+  }
+}
+
+// Turning about the vertical, a principal axis of six symmetric feet, it is exact to second order.
+// The regularisation, 1e-6 m² beside a moment of inertia of ~2 m², and the third order leave (5e-7
+// + |w dt|²/6) |w dt| = 7e-10 rad.
+TEST(Odometry, IsExactToANanometreOnTheLevel) {
+  const RobotModel model = point_footed(6);
+  const Twist V{{0.5, -0.2, 0.0}, {0.0, 0.0, 0.5}};
+  RobotState state = standing(six_feet());
+  Odometry odometry(model);
+  odometry.reset(state);
+  const Pose X_0 = state.X_OB;
+  for (int tick = 1; tick <= 1000; ++tick) {
+    const Pose X_OB = X_0 * displacement(V, tick * kDt);
+    for (LegId i = 0; i < 6; ++i) state.p_BF[i] = X_OB.inverse() * (X_0 * six_feet()[i]);
+    odometry.update(state, LegArray<double>(6, 1.0), kDt);
+    ASSERT_LT(distance(state.X_OB, X_OB), 2e-9);
+  }
+}
+
+/// A robot whose legs all point forwards, in parallel planes, with spherical feet of 2 cm.
+RobotModel parallel_legs() {
+  RobotModel model = point_footed(4);
+  model.foot_radius = 0.02;
+  for (LegId i = 0; i < 4; ++i) {
+    LegModel& leg = model.legs[i];
+    leg.X_BH.p = {i < 2 ? 0.4 : -0.4, i % 2 == 0 ? 0.2 : -0.2, 0.0};
+    leg.coxa = 0.08, leg.femur = 0.28, leg.tibia = 0.38;
+    leg.min_reach = 0.15, leg.max_reach = 0.63;
+  }
+  return model;
+}
+
+void measure(const RobotModel& model, RobotState& state, LegId i, const Vector3& p_BF) {
+  const LegSolution solution = inverse_kinematics(model.legs[i], p_BF);
+  ASSERT_TRUE(solution.reachable);
+  state.q[i] = solution.q;
+  state.trig[i] = leg_trig(model.legs[i], solution.q);
+  state.p_BF[i] = p_BF;
+}
+
+/// Pitch of the tibia in the plane of a leg that points forwards: canonical k₂ + k₃ [rad].
+double tibia_pitch(const RobotState& state, LegId i) { return state.q[i][1] + state.q[i][2]; }
+
+// A wheel: the body shifts ahead without turning, each tibia turns by θ about y, and its foot rolls
+// ahead by ρ θ, exactly. Odometry that takes the feet for points believes the body to be short of
+// that: ρ · 15° = 5.24 mm.
+TEST(Odometry, KnowsThatSphericalFeetRoll) {
+  const RobotModel rolling = parallel_legs();
+  RobotModel point = rolling;
+  point.foot_radius = 0.0;
+  RobotState state = standing(LegArray<Vector3>(4));
+  const auto stand = [&](LegId i, double shift, double roll) {
+    const Vector3 p = rolling.legs[i].X_BH.p + Vector3(0.40 + roll - shift, 0.0, -0.30);
+    measure(rolling, state, i, p);
+  };
+  for (LegId i = 0; i < 4; ++i) stand(i, 0.0, 0.0);
+  Odometry knows(rolling), ignores(point);
+  RobotState naive = state;
+  knows.reset(state);
+  ignores.reset(naive);
+
+  const double pitch_0 = tibia_pitch(state, 0);
+  double shift = 0.0, theta = 0.0;
+  while (theta < 15.0 * std::numbers::pi / 180.0) {
+    shift += 0.5 * kDt;
+    for (LegId i = 0; i < 4; ++i)  // the roll depends on the pitch and the pitch on the roll
+      for (int k = 0; k < 12; ++k)
+        stand(i, shift, k == 0 ? 0.0 : rolling.foot_radius * (tibia_pitch(state, i) - pitch_0));
+    theta = tibia_pitch(state, 0) - pitch_0;
+    naive.q = state.q, naive.trig = state.trig, naive.p_BF = state.p_BF;
+    knows.update(state, LegArray<double>(4, 1.0), kDt);
+    ignores.update(naive, LegArray<double>(4, 1.0), kDt);
+    ASSERT_NEAR(state.X_OB.p.x(), shift, 1e-9);
+  }
+  EXPECT_NEAR(naive.X_OB.p.x() - shift, -0.02 * theta, 1e-6);
+  EXPECT_NEAR(naive.X_OB.p.x() - shift, -0.00524, 5e-5);
+}
+
+// Argos' front, middle and rear legs, each turning its own way, under a body that advances, sways
+// and turns: the rolling constraint dp = dφ × ρ n integrated at a tenth of the tick, dφ the tibia's
+// rotation from exact orientations. What is left is second order in a tick's turn (1e-3 rad · ρ),
+// with random sign in time; point feet err by the whole roll.
+TEST(Odometry, FollowsTheRollOfEveryFootWhenTheBodyTurns) {
+  const RobotModel rolling = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  RobotModel point = rolling;
+  point.foot_radius = 0.0;
+  RobotState state = standing(LegArray<Vector3>(6));
+  for (LegId i = 0; i < 6; ++i) measure(rolling, state, i, rolling.legs[i].p_BC);
+  RobotState naive = state;
+  Odometry knows(rolling), ignores(point);
+  knows.reset(state);
+  ignores.reset(naive);
+
+  constexpr int kSubsteps = 10;
+  const Pose X_0 = state.X_OB;
+  const Twist V{{0.3, 0.05, -0.04}, {0.05, -0.1, 0.3}};
+  LegArray<Vector3> p_OF = state.p_OF;
+  double worst = 0.0;
+  for (int step = 1; step <= 150 * kSubsteps; ++step) {
+    const Pose X_before = X_0 * displacement(V, (step - 1) * kDt / kSubsteps);
+    const Pose X_OB = X_0 * displacement(V, step * kDt / kSubsteps);
+    for (LegId i = 0; i < 6; ++i) {
+      const Matrix3 R_before = X_before.R * tibia_rotation(rolling.legs[i], state.trig[i]);
+      const Vector3 before = p_OF[i];
+      for (int k = 0; k < 6; ++k) {
+        measure(rolling, state, i, X_OB.inverse() * p_OF[i]);
+        const Matrix3 R = X_OB.R * tibia_rotation(rolling.legs[i], state.trig[i]);
+        const Vector3 turn = rotation_vector(R * R_before.transpose());
+        p_OF[i] = before + turn.cross(rolling.foot_radius * Vector3::UnitZ());
+      }
+      measure(rolling, state, i, X_OB.inverse() * p_OF[i]);
+    }
+    if (step % kSubsteps != 0) continue;
+    naive.q = state.q, naive.trig = state.trig, naive.p_BF = state.p_BF;
+    knows.update(state, LegArray<double>(6, 1.0), kDt);
+    ignores.update(naive, LegArray<double>(6, 1.0), kDt);
+    worst = std::max(worst, distance(state.X_OB, X_OB));
+  }
+  EXPECT_LT(worst, 2e-5);
+  EXPECT_GT(distance(naive.X_OB, X_0 * displacement(V, 150 * kDt)), 2e-3);
+}
+
+// One foot of six slides by 2 cm in half a second. Least squares would share it out: the centroid
+// alone moves by 20 mm / 6 = 3.3 mm. Rejected, it is followed at the distance at which it is
+// trusted just so little that the anchor keeps up, e⁵/(1 + e⁴) = 0.08 in mm per tick: e = 0.63 mm.
+// It pulls the base by e/6 = 0.1 mm and turns it by e l/I = 0.2 mrad (l = 0.64 m, I = 2 m²). Rows
+// of feet make it hard: a slide along x keeps the distance to the leg opposite, along y that to
+// two.
+TEST(Odometry, IsNotDraggedAlongByAFootThatSlides) {
+  const RobotModel model = point_footed(6);
+  for (LegId slider = 0; slider < 6; ++slider) {
+    for (const Vector3& way : {Vector3(0.02, 0.0, 0.0), Vector3(0.0, 0.02, 0.0)}) {
+      RobotState state = standing(six_feet());
+      Odometry odometry(model);
+      odometry.reset(state);
+      const Pose X_0 = state.X_OB;
+      for (int tick = 1; tick <= 250; ++tick) {
+        state.p_BF[slider] = six_feet()[slider] + way * tick / 250.0;
+        odometry.update(state, LegArray<double>(6, 1.0), kDt);
+        ASSERT_LT(distance(state.X_OB, X_0), 0.5e-3) << "leg " << slider;
+      }
+      EXPECT_NEAR((state.p_OF[slider] - X_0 * state.p_BF[slider]).norm(), 0.0, 1e-3);
+    }
+  }
+}
+
+// Two of six that slide together keep their own distance, but agree with only one of five.
+TEST(Odometry, IsNotDraggedAlongByTwoFeetThatSlideTogether) {
+  const RobotModel model = point_footed(6);
+  RobotState state = standing(six_feet());
+  Odometry odometry(model);
+  odometry.reset(state);
+  const Pose X_0 = state.X_OB;
+  for (int tick = 1; tick <= 250; ++tick) {
+    for (const LegId slider : {0, 5})
+      state.p_BF[slider] = six_feet()[slider] + Vector3(0.02 * tick / 250.0, 0.0, 0.0);
+    odometry.update(state, LegArray<double>(6, 1.0), kDt);
+    ASSERT_LT(distance(state.X_OB, X_0), 1e-3) << "least squares: 20 mm · 2/6";
+  }
+}
+
+// A slip, not a slide: 2 cm in one tick. Its distance to every other foot changes by at least
+// 20 mm · cos 75°: trust below 1 / (1 + 5⁴) at once, so that its share of 20 mm is nothing.
+TEST(Odometry, IgnoresAFootThatSlipsInATick) {
+  const RobotModel model = point_footed(6);
+  RobotState state = standing(six_feet());
+  Odometry odometry(model);
+  odometry.reset(state);
+  const Pose X_0 = state.X_OB;
+  state.p_BF[3] += Vector3(0.012, 0.016, 0.0);
+  for (int tick = 0; tick < 10; ++tick) {
+    odometry.update(state, LegArray<double>(6, 1.0), kDt);
+    EXPECT_LT(distance(state.X_OB, X_0), 1e-4);
+  }
+}
+
+// Two feet leave the turn about their line open, one foot all turns, no foot everything: what is
+// open stays as it was, the rest is followed.
+TEST(Odometry, FollowsAShiftWithOneOrTwoFeetAndStaysWithNone) {
+  const RobotModel model = point_footed(6);
+  for (int feet = 0; feet <= 2; ++feet) {
+    RobotState state = standing(six_feet());
+    Odometry odometry(model);
+    odometry.reset(state);
+    LegArray<double> footing(6, 0.0);
+    for (LegId i = 0; i < feet; ++i) footing[i] = 1.0;
+    const Vector3 way(0.02, -0.01, 0.005);
+    for (int tick = 1; tick <= 100; ++tick) {
+      for (LegId i = 0; i < 6; ++i) state.p_BF[i] = six_feet()[i] - way * tick / 100.0;
+      odometry.update(state, footing, kDt);
+    }
+    const Vector3 expected = Vector3(0.0, 0.0, kHeight) + (feet > 0 ? way : Vector3::Zero());
+    EXPECT_LT(distance(state.X_OB, {Matrix3::Identity(), expected}), 1e-9) << feet << " feet";
+  }
+}
+
+// A leg in the air says nothing of the body, and stands where it comes down: its foothold and its
+// print are those of the landing, not of the lift.
+TEST(Odometry, AnchorsAFootAnewWhereItLands) {
+  const RobotModel model = point_footed(6);
+  RobotState state = standing(six_feet());
+  Odometry odometry(model);
+  odometry.reset(state);
+  const Pose X_0 = state.X_OB;
+  LegArray<double> footing(6, 1.0);
+  footing[2] = 0.0;
+  const Vector3 print = state.print_O[2];
+  for (int tick = 1; tick <= 100; ++tick) {
+    state.p_BF[2] += Vector3(0.002, 0.0, 0.0005);
+    odometry.update(state, footing, kDt);
+  }
+  EXPECT_LT(distance(state.X_OB, X_0), 1e-12);
+  EXPECT_EQ(state.print_O[2], print);
+  const Vector3 landing = state.p_OF[2];
+  footing[2] = 1.0;
+  for (int tick = 1; tick <= 100; ++tick) odometry.update(state, footing, kDt);
+  EXPECT_LT(distance(state.X_OB, X_0), 1e-12);
+  EXPECT_LT((state.print_O[2] - landing).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace hexagait

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <hexagait/balance/support_polygon.hpp>
+#include <hexagait/script/action_runner.hpp>
+
+namespace hexagait {
+namespace {
+
+RunnerParams without_reflexes(RunnerParams params) {
+  params.executor.swing.reflexes = false;
+  return params;
+}
+
+}  // namespace
+
+ActionRunner::ActionRunner(const RobotModel& model, const RunnerParams& params)
+    : model_(&model),
+      params_(without_reflexes(params)),
+      estimator_(model, params.sensors),
+      sequencer_(model, params.sequencer),
+      executor_(model, params_.executor) {}
+
+void ActionRunner::start(const Measurement& measurement, RestsOn rests_on) {
+  StateEstimator estimator(*model_, params_.sensors);
+  // May throw: before anything changes.
+  const RobotState state = estimator.start(measurement, rests_on);
+  sequencer_.reset();
+  watch_ = {};
+  estimator_ = estimator;
+  record_ = {};
+  record_.measurement = measurement;
+  record_.state = state;
+  executor_.reset(state, rests_on);
+  report();
+}
+
+const ActionRecord& ActionRunner::tick(PlantStatus status,
+                                       const Measurement& measurement) noexcept {
+  const double dt = params_.control_dt;
+  if (watch_.accepts(status, measurement, *model_, dt, params_.late_limit)) {
+    record_.measurement = measurement;
+    estimator_.update(record_.state, measurement, executor_, dt);
+    sequencer_.update(executor_, record_.state, frames_, dt);
+    executor_.advance(record_.state, dt);
+  } else {
+    executor_.hold();
+    if (watch_.fault() != Fault::none) sequencer_.give_up();
+  }
+  report();
+  return record_;
+}
+
+void ActionRunner::report() noexcept {
+  record_.fault = watch_.fault();
+  record_.holding = watch_.holding();
+  record_.feedback = sequencer_.feedback();
+  record_.result = sequencer_.result();
+  record_.legs = executor_.legs();
+
+  DesiredState& desired = record_.desired;
+  const Pose& X_OB = record_.state.X_OB;
+  desired.support = executor_.support();
+  desired.targets = executor_.targets();
+  desired.normal_O = LegArray<Vector3>(model_->num_legs());
+  for (LegId i = 0; i < model_->num_legs(); ++i) desired.normal_O[i] = executor_.legs()[i].normal_O;
+  desired.base_follows = executor_.base_follows();
+  desired.X_OB = desired.base_follows ? executor_.base_planned().X_AB : X_OB;
+  desired.V_B = executor_.base().twist();
+  desired.force_O = {0.0, 0.0, model_->mass * params_.executor.gravity};
+  record_.margin = stability_margin(support_polygon(record_.state.p_OF, desired.support),
+                                    (X_OB * model_->p_BM).head<2>());
+}
+
+}  // namespace hexagait

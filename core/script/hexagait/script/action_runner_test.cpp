@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <hexagait/text/invalid_input.hpp>
+#include <hexagait/urdf/urdf.hpp>
+#include <testing/action_words.hpp>
+#include <testing/counted_allocations.hpp>
+#include <testing/scripted_robot.hpp>
+
+namespace hexagait {
+namespace {
+
+using testing::base_target;
+using testing::footstep;
+using testing::ScriptedRobot;
+using testing::step;
+
+const RobotModel& argos() {
+  static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  return model;
+}
+
+// Footsteps, trajectories of foot, joints and base, BaseAuto, targets: all sorts.
+action::Action long_action(const ScriptedRobot& robot) {
+  const Pose X_OB = robot.record().state.X_OB;
+  action::EndEffectorTrajectory foot;
+  foot.leg = 1;
+  for (int k = 1; k < 8; ++k)
+    foot.knots.push_back({0.1 * k, robot.foot(1) + Vector3(0, 0, 0.01 * k * (8 - k)), {}});
+  foot.knots.push_back({0.9, robot.foot(1), {}});
+  action::JointTrajectory joints;
+  joints.leg = 4;
+  joints.ignore_contact = true;
+  for (int k = 1; k < 6; ++k) {
+    JointKnot knot{.time = 0.1 * k};
+    knot.q = robot.record().state.q[4] + leg_joints({0.02 * k, -0.05 * k, 0.0});
+    joints.knots.push_back(knot);
+  }
+  action::BaseTrajectory base;
+  for (int k = 1; k < 6; ++k)
+    base.knots.push_back({0.2 * k, {X_OB.R, X_OB.p + Vector3(0.005 * k, 0, 0.004 * k)}});
+  action::Action action;
+  action.steps = {
+      step(base, {{foot, {}}}),
+      step({{joints, {}}}),
+      step({{testing::leg_mode(4, true), {}}}),
+      step(action::BaseAuto{}, {{footstep(2, robot.foot(2) + Vector3(0.03, 0, 0)), {}}}),
+      step(base_target(X_OB)),
+      testing::wait(0.1)};
+  return action;
+}
+
+TEST(ActionRunner, DoesAllSortsOfThings) {
+  ScriptedRobot robot(argos());
+  robot.runner.submit(long_action(robot));
+  robot.finish();
+  EXPECT_STREQ(to_string(robot.record().result.outcome), "succeeded")
+      << to_string(robot.record().result.cause) << " step " << robot.record().result.step;
+}
+
+TEST(ActionRunner, AllocatesInNoTickNotEvenOfACopy) {
+  for (const auto controller :
+       {WholeBodyController::kinematic, WholeBodyController::virtual_model}) {
+    RunnerParams params;
+    params.executor.controller = controller;
+    ScriptedRobot robot(argos(), params);
+    robot.runner.submit(long_action(robot));
+    robot.run(0.2);
+    ActionRunner copy = robot.runner;
+    Measurement measurement = robot.measurement;
+    const long before = testing::allocations;
+    for (int k = 0; k < 3000; ++k) {
+      robot.tick();
+      measurement.time += robot.dt();
+      measurement.q = copy.record().desired.targets.q;
+      copy.tick(PlantStatus::fresh, measurement);
+    }
+    const long after = testing::allocations;
+    EXPECT_EQ(after, before);
+    EXPECT_TRUE(robot.runner.idle());
+    EXPECT_EQ(robot.record().result.outcome, Outcome::succeeded);
+  }
+}
+
+// A copy that is fed what the original was does what it did, bit for bit, from any moment on.
+TEST(ActionRunner, IsAValueThatCanBePlayedAhead) {
+  ScriptedRobot robot(argos());
+  robot.runner.submit(long_action(robot));
+  for (int part = 0; part < 4; ++part) {
+    robot.run(0.37);
+    ActionRunner copy = robot.runner;
+    std::vector<Measurement> measured;
+    std::vector<JointTargets> ahead;
+    for (int k = 0; k < 400; ++k) {
+      ahead.push_back(robot.tick().desired.targets);
+      measured.push_back(robot.measurement);
+    }
+    for (std::size_t k = 0; k < measured.size(); ++k) {
+      const JointTargets& now = copy.tick(PlantStatus::fresh, measured[k]).desired.targets;
+      for (LegId i = 0; i < 6; ++i) {
+        ASSERT_EQ(now.q[i], ahead[k].q[i]);
+        ASSERT_EQ(now.effort[i], ahead[k].effort[i]);
+      }
+    }
+  }
+}
+
+TEST(ActionRunner, RefusesToStartWithoutJointPositionsAndGoesOnAsBefore) {
+  ScriptedRobot robot(argos());
+  robot.runner.submit({});
+  Measurement none = robot.measurement;
+  none.q = LegArray<LegJoints>(3, LegJoints::Zero());
+  EXPECT_THROW(robot.runner.start(none), InvalidInput);
+  robot.tick();
+  EXPECT_EQ(robot.record().result.outcome, Outcome::succeeded);
+}
+
+TEST(ActionRunner, HoldsWhileThePlantIsLate) {
+  ScriptedRobot robot(argos());
+  Pose X = robot.record().state.X_OB;
+  X.p.x() += 0.03;
+  robot.runner.submit({"", "", {}, {step(base_target(X))}});
+  robot.run(0.3);
+  const LegJoints q = robot.record().desired.targets.q[0];
+  for (int k = 0; k < 20; ++k) robot.runner.tick(PlantStatus::late, robot.measurement);
+  EXPECT_TRUE(robot.record().holding);
+  EXPECT_EQ(robot.record().desired.targets.q[0], q);
+  EXPECT_TRUE(robot.record().desired.targets.qd[0].isZero());
+  robot.finish();
+  EXPECT_EQ(robot.record().result.outcome, Outcome::succeeded);
+  EXPECT_NEAR(robot.record().state.X_OB.p.x(), X.p.x(), 3e-3);
+}
+
+TEST(ActionRunner, EndsAtAnEmergencyStop) {
+  ScriptedRobot robot(argos());
+  robot.runner.submit({"", "", {}, {testing::wait(5.0)}});
+  robot.run(0.1);
+  robot.runner.emergency_stop();
+  robot.tick();
+  EXPECT_TRUE(robot.runner.idle());
+  EXPECT_EQ(robot.record().result.cause, Cause::plant);
+  EXPECT_EQ(robot.record().fault, Fault::emergency_stop);
+}
+
+}  // namespace
+}  // namespace hexagait

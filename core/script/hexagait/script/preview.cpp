@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <hexagait/plant/recorded_plant.hpp>
+#include <hexagait/script/preview.hpp>
+#include <hexagait/text/violations.hpp>
+
+namespace hexagait {
+namespace {
+
+// Share of a joint's velocity limit that counts as reaching it.
+constexpr double kAtLimit = 1.0 - 1e-6;
+
+std::string millimetres(double metres) { return in_words(std::round(1e4 * metres) / 10.0) + " mm"; }
+
+// The command of a leg in a step, or what moves the base, or the step.
+action::Mark mark_of(const action::Step& step, LegId leg) {
+  for (const action::LegCommand& command : step.legs)
+    if (leg_motion(command).leg == leg) return command.mark;
+  return step.base ? step.base->mark : step.mark;
+}
+
+RunnerParams lenient(RunnerParams params) {
+  params.sensors = {.joint_feedback = false, .foot_contacts = false};
+  params.sequencer.planner.refuses = false;
+  return params;
+}
+
+// Looks at every tick and writes down what is wrong, once per step and leg.
+class Examiner {
+ public:
+  Examiner(const RobotModel& model, const action::Action& action, const PreviewParams& params,
+           Preview& preview)
+      : model_(model), action_(action), params_(params), preview_(preview) {
+    preview_.least_margin = std::numeric_limits<double>::infinity();
+  }
+
+  void look(const ActionRunner& runner) {
+    const ActionRecord& record = runner.record();
+    const int step = record.feedback.step;
+    if (step == 0) return;
+    if (step != step_) begin(step, runner.sequencer().plan());
+    for (LegId i = 0; i < model_.num_legs(); ++i) look_at_leg(i, runner);
+    look_at_margin(record);
+  }
+
+  void finish() { end_step(); }
+
+ private:
+  void begin(int step, const StepPlan& plan) {
+    end_step();
+    step_ = step;
+    beyond_ = fast_ = LegSet();
+    margin_ = std::numeric_limits<double>::infinity();
+    if (plan.cause == Cause::out_of_reach)
+      note(Finding::Kind::out_of_reach, plan.leg,
+           "the base can't be held where BaseAuto wants it: the leg doesn't reach");
+    if (plan.cause == Cause::unstable)
+      note(Finding::Kind::unstable, plan.leg,
+           "the legs that stand while it is lifted don't carry the centre of mass; move the base "
+           "first, for example by a step with base_auto alone");
+    refused_ = plan.cause == Cause::unstable;
+    lies_ = lies_ && !plan.moves_base;
+  }
+
+  void look_at_leg(LegId leg, const ActionRunner& runner) {
+    const LegLane& lane = runner.executor().legs()[leg];
+    const bool moves = lane.phase == LegPhase::follow || lane.on_ground();
+    if (moves && !runner.executor().reachable(leg) && !beyond_.contains(leg)) {
+      beyond_.insert(leg);
+      const Vector3& p = lane.p_BF;
+      note(Finding::Kind::out_of_reach, leg,
+           "its foot is to be at (" + in_words(p.x()) + ", " + in_words(p.y()) + ", " +
+               in_words(p.z()) + ") m in the base, where the leg doesn't reach");
+    }
+    if (lane.phase == LegPhase::follow && too_fast(leg, runner.executor().targets()))
+      fast_.insert(leg);
+  }
+
+  [[nodiscard]] bool too_fast(LegId leg, const JointTargets& targets) const {
+    for (int k = 0; k < model_.legs[leg].num_joints(); ++k) {
+      const double limit = model_.legs[leg].limits[k].velocity;
+      if (std::abs(targets.qd[leg][k]) > kAtLimit * limit) return true;
+    }
+    return false;
+  }
+
+  void look_at_margin(const ActionRecord& record) {
+    // Without support the body lies on something else, until it is moved.
+    lies_ = lies_ || record.desired.support.empty();
+    if (lies_) return;
+    margin_ = std::min(margin_, record.margin);
+    if (record.margin >= preview_.least_margin) return;
+    preview_.least_margin = record.margin;
+    preview_.least_margin_step = step_;
+  }
+
+  void end_step() {
+    if (step_ == 0) return;
+    for (LegId i = 0; i < model_.num_legs(); ++i)
+      if (fast_.contains(i))
+        note(Finding::Kind::too_fast, i,
+             "a joint would have to be faster than its limit; it will lag", false);
+    if (margin_ < 0.0 && !refused_)
+      note(Finding::Kind::unstable, -1,
+           "the centre of mass is up to " + millimetres(-margin_) +
+               " outside the feet that carry; it must be inside");
+    else if (margin_ < params_.narrow_margin)
+      note(Finding::Kind::narrow, -1,
+           "the centre of mass comes as near as " + millimetres(margin_) +
+               " to the edge of the feet that carry; " + millimetres(params_.narrow_margin) +
+               " or more is safe",
+           false);
+  }
+
+  void note(Finding::Kind kind, LegId leg, const std::string& text, bool is_error = true) {
+    const action::Step& step = action_.steps[static_cast<std::size_t>(step_ - 1)];
+    std::string where = "step ";
+    where += std::to_string(step_);
+    if (leg >= 0) where.append(", ").append(model_.legs[leg].name);
+    preview_.findings.push_back(
+        {kind, is_error, step_, mark_of(step, leg), where.append(": ").append(text)});
+  }
+
+  const RobotModel& model_;
+  const action::Action& action_;
+  const PreviewParams& params_;
+  Preview& preview_;
+  int step_ = 0;
+  LegSet beyond_, fast_;  ///< legs about which that was said in this step
+  double margin_ = 0.0;   ///< least in this step [m]
+  bool refused_ = false;
+  bool lies_ = false;
+};
+
+}  // namespace
+
+LegArray<LegJoints> nominal_joints(const RobotModel& model) {
+  LegArray<LegJoints> q(model.num_legs());
+  for (LegId i = 0; i < model.num_legs(); ++i)
+    q[i] = inverse_kinematics(model.legs[i], model.legs[i].p_BC).q;
+  return q;
+}
+
+Preview preview(const RobotModel& model, const LegArray<LegJoints>& joints,
+                const action::Action& action, const PreviewParams& params,
+                const std::function<void(const ActionRecord&)>& observe) {
+  Preview preview;
+  ActionRunner runner(model, lenient(params.runner));
+  const double dt = params.runner.control_dt;
+  PreviewPlant plant(joints, dt);
+  Measurement measurement;
+  (void)plant.read(measurement);
+  runner.start(measurement, params.rests_on);
+  runner.submit(action);
+  Examiner examiner(model, action, params, preview);
+
+  const auto most_ticks = static_cast<long>(params.most_seconds / dt);
+  long ticks = 0;
+  while (!runner.idle() && ticks < most_ticks) {
+    ++ticks;
+    const PlantStatus status = plant.read(measurement);
+    const ActionRecord& record = runner.tick(status, measurement);
+    plant.write(record.desired.targets);
+    examiner.look(runner);
+    if (observe) observe(record);
+  }
+  examiner.finish();
+  preview.result = runner.record().result;
+  preview.seconds = static_cast<double>(ticks) * dt;
+  if (!runner.idle())
+    preview.findings.push_back(
+        {Finding::Kind::no_result,
+         true,
+         0,
+         {},
+         "the action has not ended after " + in_words(params.most_seconds) + " s"});
+  return preview;
+}
+
+std::string in_words(const Finding& finding, const std::string& source) {
+  std::string line = source;
+  for (const int number : {finding.mark.line, finding.mark.column})
+    if (number > 0) line.append(":").append(std::to_string(number));
+  return line.append(finding.is_error ? ": error: " : ": warning: ").append(finding.text);
+}
+
+}  // namespace hexagait

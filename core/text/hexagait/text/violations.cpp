@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cstdio>
+#include <hexagait/text/invalid_input.hpp>
+#include <hexagait/text/violations.hpp>
+
+namespace hexagait {
+
+void Violations::add(std::string_view element, std::string_view problem) {
+  std::string line = source_;
+  line.append(": ").append(element).append(": ").append(problem);
+  lines_.push_back(std::move(line));
+}
+
+void Violations::add(const Mark& mark, std::string_view problem) {
+  std::string line = source_;
+  line.append(":").append(std::to_string(mark.line));
+  line.append(":").append(std::to_string(mark.column)).append(": ").append(problem);
+  if (std::find(lines_.begin(), lines_.end(), line) == lines_.end())
+    lines_.push_back(std::move(line));
+}
+
+void Violations::throw_if_any() const {
+  if (empty()) return;
+  std::string text;
+  for (const std::string& line : lines_) text.append(text.empty() ? "" : "\n").append(line);
+  throw InvalidInput(text);
+}
+
+std::string in_words(double value) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.6g", value);
+  return text;
+}
+
+}  // namespace hexagait

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <hexagait/text/mark.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hexagait {
+
+/// Collects everything that is wrong with one input, so that a user sees it all at once.
+class Violations {
+ public:
+  /// @param source  names the input in every line, e.g. the file's path
+  explicit Violations(std::string source) : source_(std::move(source)) {}
+
+  /// Adds the line "source: element: problem". The problem names the value and what would be right.
+  void add(std::string_view element, std::string_view problem);
+
+  /// Adds the line "source:line:column: problem", unless it is there already: what is referred to
+  /// twice is found twice.
+  void add(const Mark& mark, std::string_view problem);
+
+  [[nodiscard]] std::size_t size() const { return lines_.size(); }
+  [[nodiscard]] bool empty() const { return lines_.empty(); }
+
+  /// @throws InvalidInput  with all lines, if there are any
+  void throw_if_any() const;
+
+ private:
+  std::string source_;
+  std::vector<std::string> lines_;
+};
+
+/// A number as it is shown in messages: shortest form, six digits.
+[[nodiscard]] std::string in_words(double value);
+
+}  // namespace hexagait

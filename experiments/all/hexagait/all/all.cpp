@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <hexagait/all/all.hpp>
+#include <hexagait/fg16/fg16.hpp>
+#include <hexagait/pc04/pc04.hpp>
+
+namespace hexagait::experiments {
+
+const std::vector<Experiment>& experiments() {
+  static const std::vector<Experiment> all = {
+      {"table1", "[PC04] Table 1: the gait states by circularity number and type", table1},
+      {"table2", "[PC04] Table 2: how the tripod gait comes about", table2},
+      {"fig3", "[PC04] Fig. 3: wave gaits, and the types of their gait states", fig3},
+      {"fig4", "[PC04] Fig. 4: transitions between the gait states with CCN = 3", fig4},
+      {"fig6", "[PC04] Fig. 6: the first steps, of three gait generators", fig6},
+      {"fig7a", "[PC04] Fig. 7-A: mean speed on flat ground", fig7a},
+      {"fig7b", "[PC04] Fig. 7-B: mean speed on rough ground", fig7b},
+      {"fig7_physics", "[PC04] Fig. 7 once more: Genghis in Box2D, on rougher and rougher ground",
+       fig7_physics},
+      {"fig9", "[PC04] Fig. 9: straight lines, a turn in place and a curve, on flat ground", fig9},
+      {"fig10", "[PC04] Fig. 10: a turn to the left on abrupt terrain", fig10},
+      {"wave_family",
+       "[PC04] 3.2: wave gaits of every duty factor, 1/2 to 5/6 and back, in one walk",
+       wave_family},
+      {"fg16_fig6", "[FG16] Fig. 6: up a step by footholds in the map, pushed and blocked",
+       fg16_fig6},
+      {"fg16_fig7",
+       "[FG16] Fig. 7: localisation that jumps, odometry that drifts, and both combined",
+       fg16_fig7},
+      {"walks", "the walks by which the controller is judged: headings, postures, terrain", walks},
+  };
+  return all;
+}
+
+}  // namespace hexagait::experiments

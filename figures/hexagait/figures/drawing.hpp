@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <hexagait/figures/staged_files.hpp>
+#include <hexagait/math/geometry.hpp>
+#include <string>
+#include <vector>
+
+namespace hexagait::figures {
+
+/// Colours of all figures, the palette of the gnuplot preamble.
+inline constexpr const char* kInk = "#1d2b36";
+inline constexpr const char* kGrey = "#8c99a5";
+inline constexpr const char* kPale = "#e3e8ec";
+inline constexpr const char* kAccent = "#c4472b";
+
+/// Shade of a gait state's type A, B, C, D: the more legs have priority, the darker.
+[[nodiscard]] std::string type_shade(char type);
+
+/// Shapes and text on a white sheet, for figures that plot no data. Places in pixels of the PNG,
+/// y downwards. What comes later covers what came before; text is above all.
+class Drawing {
+ public:
+  struct TextStyle {
+    double points = 10.5;
+    const char* colour = kInk;
+    const char* align = "center";  ///< left, center, right
+    bool bold = false, mono = false;
+  };
+
+  Drawing(int width, int height) : width_(width), height_(height) {}
+
+  /// A headline, and a line in grey below it, at the top left.
+  void title(const std::string& headline, const std::string& subtitle);
+  void text(const Vector2& place, const std::string& text, const TextStyle& style);
+  void box(const Vector2& least, const Vector2& greatest, const std::string& fill);
+  void disc(const Vector2& centre, double radius, const std::string& fill,
+            const std::string& border);
+  /// Through all points, with an arrow-head at the last.
+  void arrow(const std::vector<Vector2>& points, const std::string& colour, double line_width);
+
+  /// Writes STEM.gp and draws STEM.svg, STEM.pdf and STEM.png.
+  void draw(StagedFiles& files, const std::string& stem) const;
+
+ private:
+  int width_, height_;
+  int count_ = 0;
+  std::string data_, plots_, front_;
+};
+
+}  // namespace hexagait::figures

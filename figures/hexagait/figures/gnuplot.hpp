@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <hexagait/figures/staged_files.hpp>
+#include <string>
+
+namespace hexagait::figures {
+
+/// @throws InvalidInput  if there is no gnuplot, saying how to get it
+void require_gnuplot();
+
+/// Runs a script in its directory; it draws into the file named by its variable `figure`.
+/// @throws std::runtime_error  with what gnuplot said, if it fails
+void run_gnuplot(const std::filesystem::path& directory, const std::string& script,
+                 const std::string& figure);
+
+/// Draws STEM.svg, STEM.pdf and STEM.png by the staged script STEM.gp.
+void draw_figure(StagedFiles& files, const std::string& stem);
+
+/// A text as a gnuplot string, in single quotes.
+[[nodiscard]] std::string quoted(const std::string& text);
+
+/// The first lines of every script: `figure` unless it is given, the terminal by its suffix, and
+/// the palette. Sizes are in pixels of a PNG.
+[[nodiscard]] std::string figure_preamble(const std::string& figure, int width, int height);
+
+}  // namespace hexagait::figures

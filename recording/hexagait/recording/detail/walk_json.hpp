@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <hexagait/recording/json.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace hexagait::recording {
+
+using Json = nlohmann::ordered_json;
+
+/// What decides how a walk goes; how it went; how long that took.
+[[nodiscard]] Json configuration(const WalkReport& report);
+[[nodiscard]] Json results(const walk::Summary& summary);
+[[nodiscard]] Json timing(const walk::Summary& summary);
+
+[[nodiscard]] inline std::string hex(std::uint64_t value) { return fmt::format("{:016x}", value); }
+
+}  // namespace hexagait::recording

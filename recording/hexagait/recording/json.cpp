@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <cmath>
+#include <hexagait/recording/detail/walk_json.hpp>
+#include <hexagait/recording/json.hpp>
+#include <hexagait/recording/version.hpp>
+#include <nlohmann/json.hpp>
+
+namespace hexagait::recording {
+namespace {
+
+using heading_control::Heading;
+using heading_control::Turn;
+
+constexpr int kIndent = 2;
+
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+std::string kind(const Heading& heading) {
+  if (!heading.moving()) return "stop";
+  if (heading.rho() <= 0.0) return heading.turn() == Turn::ccw ? "spin ccw" : "spin cw";
+  return heading.curvature() == 0.0 ? "straight" : "arc";
+}
+
+Json commands(const walk::Schedule& schedule) {
+  Json list = Json::array();
+  for (const walk::TimedCommand& command : schedule)
+    list.push_back({{"at_s", command.time},
+                    {"heading", kind(command.heading)},
+                    {"curvature_per_m", finite(command.heading.curvature())},
+                    {"crab_rad", command.heading.crab_angle()},
+                    {"duty_factor", command.duty_factor ? Json(*command.duty_factor) : Json()}});
+  return list;
+}
+
+Json leg_json(const LegModel& leg) {
+  Json joints = Json::array();
+  for (int k = 0; k < leg.num_joints(); ++k)
+    joints.push_back({{"name", leg.joint_names[k]},
+                      {"lower_rad", finite(leg.limits[k].lower)},
+                      {"upper_rad", finite(leg.limits[k].upper)},
+                      {"velocity_rad_s", finite(leg.limits[k].velocity)},
+                      {"effort_n_m", finite(leg.limits[k].effort)}});
+  const bool serial = leg.kind == LegKind::serial;
+  Json json = {{"name", leg.name}, {"kind", serial ? "serial" : "yaw_pitch_pitch"}};
+  if (!serial) {
+    json["coxa_m"] = leg.coxa;
+    json["femur_m"] = leg.femur;
+    json["tibia_m"] = leg.tibia;
+  }
+  json["hip_m"] = {leg.X_BH.p.x(), leg.X_BH.p.y(), leg.X_BH.p.z()};
+  json["workspace_centre_m"] = {leg.p_BC.x(), leg.p_BC.y(), leg.p_BC.z()};
+  json["workspace_radius_m"] = leg.workspace_radius;
+  json["reach_m"] = {{"min", leg.min_reach}, {"max", leg.max_reach}};
+  json["joints"] = joints;
+  return json;
+}
+
+}  // namespace
+
+Json configuration(const WalkReport& report) {
+  const Simulation& simulation = report.simulation;
+  const walk::Schedule& schedule = simulation.trial.schedule;
+  const Heading& first = schedule.front().heading;
+  return {{"robot", report.robot},
+          {"terrain", sim3d::to_string(simulation.terrain)},
+          {"seed", simulation.seed},
+          {"heading", schedule.size() == 1 ? kind(first) : "schedule"},
+          {"curvature_per_m", schedule.size() == 1 ? finite(first.curvature()) : Json(nullptr)},
+          {"crab_rad", schedule.size() == 1 ? finite(first.crab_angle()) : Json(nullptr)},
+          {"commands", commands(schedule)},
+          {"seconds_asked", simulation.trial.seconds},
+          {"distance_asked_m", finite(simulation.trial.distance)},
+          {"gait", gait_state::to_string(simulation.gait)},
+          {"random_posture_m", simulation.random_posture},
+          {"foot_contacts", simulation.sensors.foot_contacts},
+          {"joint_feedback", simulation.sensors.joint_feedback},
+          {"physics_step_s", simulation.physics_dt},
+          {"control_period_s", simulation.control_dt}};
+}
+
+Json results(const walk::Summary& s) {
+  return {
+      {"seconds", s.seconds},
+      {"distance_m", s.distance},
+      {"turned_rad", s.turned},
+      {"speed_m_s", s.speed},
+      {"lateral_error_m",
+       {{"mean", s.lateral_mean}, {"max", s.lateral_max}, {"end", s.lateral_end}}},
+      {"heading_error_rad", {{"max", s.heading_max}, {"end", s.heading_end}}},
+      {"odometry_error",
+       {{"position_m", s.odometry_position}, {"heading_rad", s.odometry_heading}}},
+      {"slip_m", {{"mean", s.slip_mean}, {"p95", s.slip_p95}}},
+      {"stances", s.stances},
+      {"stability_margin_m", {{"min", finite(s.margin_min)}, {"p5", finite(s.margin_p5)}}},
+      {"roll_rad", {{"max", s.roll_max}}},
+      {"pitch_rad", {{"max", s.pitch_max}}},
+      {"body_height_m", {{"min", s.height_min}, {"max", s.height_max}}},
+      {"steps", s.steps},
+      {"tripod_after_steps", s.tripod_after_steps ? Json(*s.tripod_after_steps) : Json(nullptr)},
+      {"rule1_violations", s.rule1_violations},
+      {"neighbour_flight_s", s.neighbour_flight},
+      {"contact_losses", s.contact_losses},
+      {"falls", s.fell ? 1 : 0},
+      {"stuck", s.stuck},
+      {"arrived", s.arrived},
+      {"fault", footstep_gen::to_string(s.fault)},
+      {"state_hash", hex(s.state_hash)}};
+}
+
+Json timing(const walk::Summary& s) {
+  return {{"real_time_factor", finite(s.real_time_factor)},
+          {"tick_ns", {{"median", s.tick_median}, {"p99", s.tick_p99}}}};
+}
+
+std::string to_json(const WalkReport& report) {
+  Json json = configuration(report);
+  json.update(results(report.summary));
+  json.update(timing(report.summary));
+  json["interrupted"] = report.interrupted;
+  json["version"] = kVersion;
+  return json.dump(kIndent);
+}
+
+std::string to_json(const RobotModel& robot) {
+  Json legs = Json::array();
+  for (const LegModel& leg : robot.legs) legs.push_back(leg_json(leg));
+  return Json{{"name", robot.name},
+              {"mass_kg", robot.mass},
+              {"base_mass_kg", robot.base.mass},
+              {"centre_of_mass_m", {robot.p_BM.x(), robot.p_BM.y(), robot.p_BM.z()}},
+              {"foot_radius_m", robot.foot_radius},
+              {"legs", legs}}
+      .dump(kIndent);
+}
+
+}  // namespace hexagait::recording

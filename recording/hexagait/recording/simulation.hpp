@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <hexagait/gait_state/gait_choice.hpp>
+#include <hexagait/sim3d/world.hpp>
+#include <hexagait/walk/trial.hpp>
+#include <string>
+
+namespace hexagait::recording {
+
+/// A walk of a robot in the simulator, as a value: everything that decides how it goes.
+struct Simulation {
+  sim3d::TerrainSpec terrain;
+  std::uint64_t seed = 1;     ///< of the terrain and of the random posture
+  double physics_dt = 0.002;  ///< physics step [s]
+  double control_dt = 0.002;  ///< control period, a whole number of physics steps [s]
+  SensorMask sensors;
+  gait_state::GaitChoice gait;  ///< until the schedule says otherwise
+  double random_posture = 0.0;  ///< feet start displaced by up to this [m]
+  walk::TrialOptions trial;
+};
+
+/// Walks it.
+/// @param observer  called after every tick
+/// @param stop      once true, the walker makes an emergency stop and the walk ends
+/// @throws InvalidInput  if no world can be made from these parameters
+[[nodiscard]] walk::Summary simulate(const RobotModel& robot, const Simulation& simulation,
+                                     const walk::Observer& observer = {},
+                                     const std::atomic<bool>* stop = nullptr);
+
+}  // namespace hexagait::recording
