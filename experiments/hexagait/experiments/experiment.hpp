@@ -4,7 +4,7 @@
 
 #include <functional>
 #include <hexagait/experiments/manifest.hpp>
-#include <hexagait/figures/staged_files.hpp>
+#include <hexagait/figures/figure.hpp>
 #include <string>
 #include <vector>
 
@@ -16,6 +16,14 @@ struct ExperimentContext {
   std::function<void(double share)> progress;  ///< called now and then with 0 … 1
   const std::atomic<bool>* stop = nullptr;     ///< once true, the experiment ends early
   bool short_form = false;  ///< some seconds; claims that need more are not judged, and say so
+  bool titles = true;                          ///< above the figures
+
+  /// A figure in all formats, on a sheet of width × height [px of a PNG].
+  [[nodiscard]] figures::Figure figure(const std::string& stem, int width, int height,
+                                       const std::string& headline,
+                                       const std::string& subtitle) const {
+    return {stem, "", titles ? headline : "", titles ? subtitle : "", width, height};
+  }
 };
 
 /// A figure or a claim of a paper, made again: runs, draws, and says whether the claim holds.
