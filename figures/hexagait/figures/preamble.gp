@@ -23,10 +23,14 @@ set datafile separator comma
 set datafile columnheaders
 set datafile missing ""
 set macros
+# The value in the column of this name.
+c(name) = column(name)
 
 # Palette: one accent for what happened, grey for what was asked, two quiet colours for the sides.
 ink = "#1d2b36"; grey = "#8c99a5"; pale = "#e3e8ec"; accent = "#c4472b"; asked = "#c3ccd4"
 left_side = "#2f6f9f"; right_side = "#c99a2e"; earth = "#b9a88f"
+# Controllers: the tripod controller (0), the free gait (1), any other one.
+gait_colour(k) = k == 0 ? 0xc99a2e : k == 1 ? 0x2f6f9f : 0x8c99a5
 # Shades of a gait state's type, A (1) … D (4).
 type_shade(k) = k == 4 ? 0x5d7a8c : k == 3 ? 0x93a9b7 : k == 2 ? 0xbccad4 : k == 1 ? 0xdfe6eb : 0xffffff
 
