@@ -56,7 +56,7 @@ panel(l, r, b, t) = sprintf("set lmargin at screen %g; set rmargin at screen %g;
 heading(letter, text) = \
     sprintf("set label 3 \"{/:Bold %s}   %s\" at graph 0, graph 1 offset 0, 0.9 left textcolor rgb ink", letter, text)
 # Above its right corner, the key in a row: `eval key_above(top)`.
-key_above(top) = sprintf("set key at graph 1, screen %g right top horizontal samplen 1.5 width 0 font small", y(top) + 25/page)
+key_above(top) = sprintf("set key at graph 1, screen %g right top horizontal samplen 1.5 width 0 font small", y(top) + 25.0/page)
 
 # A gait diagram's legend of types, from the share x of the panel on, every `step`.
 legend_of_types(x, step) = sprintf("legend_x = %g; legend_step = %g; ", x, step).' \
@@ -69,6 +69,7 @@ legend_of_types(x, step) = sprintf("legend_x = %g; legend_step = %g; ", x, step)
       textcolor rgb ink font sized("", 9)'
 
 set border 3 lc rgb grey lw 0.8
+set xtics nomirror; set ytics nomirror
 set tics nomirror scale 0.5 textcolor rgb ink
 set grid lc rgb pale lw 0.8 lt 1
 set title textcolor rgb ink
