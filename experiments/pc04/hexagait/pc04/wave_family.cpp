@@ -10,8 +10,8 @@
 #include <cmath>
 #include <hexagait/figures/csv.hpp>
 #include <hexagait/pc04/pc04.hpp>
+#include <hexagait/pc04/snapshots.hpp>
 #include <hexagait/pc04/wave_family.gp.hpp>
-#include <hexagait/recording/recording.hpp>
 
 namespace hexagait::experiments {
 namespace {
@@ -226,13 +226,7 @@ Outcome wave_family(const ExperimentContext& context, figures::StagedFiles& file
   simulation.trial.schedule = schedule(parts);
   simulation.trial.seconds = parts.back().to;
 
-  recording::Recording recording({simulation.terrain, simulation.seed});
-  const auto observe = [&](const auto& record, const auto& truth, const auto& referee) {
-    recording.observe(record, truth, referee);
-    if (context.progress) context.progress(recording.samples().back().time / parts.back().to);
-  };
-  const walk::Summary summary =
-      recording::simulate(*context.robot, simulation, observe, context.stop);
+  const auto [recording, summary] = record(context, simulation);
   for (Segment& segment : parts) measure(segment, recording);
   draw(files, context, parts, recording);
   return {.walk = recording::WalkReport{context.robot->name, simulation, summary},
