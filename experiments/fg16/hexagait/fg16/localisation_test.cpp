@@ -87,9 +87,7 @@ class Joints : public Plant {
 // Six legs with these joint axes.
 RobotModel model(std::initializer_list<Vector3> axes) {
   RobotModel robot;
-  robot.name = "hand-made";
   LegModel leg;
-  leg.name = "L";
   std::ranges::copy(axes, leg.axis_B0.begin());
   robot.legs = LegArray<LegModel>(6, leg);
   return robot;
