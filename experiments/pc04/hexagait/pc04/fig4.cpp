@@ -160,7 +160,9 @@ figures::Drawing drawn(const std::vector<Transition>& all) {
   }
   drawing.text({50.0, 118.0}, "a   Modulo rotations of the ring",
                {.points = 11.0, .align = "left", .bold = true});
-  drawing.text({560.0, 118.0}, "b   All 20 states",
+  std::set<std::string> states;
+  for (const Transition& t : all) states.insert(to_string(t.from));
+  drawing.text({560.0, 118.0}, fmt::format("b   All {} states", states.size()),
                {.points = 11.0, .align = "left", .bold = true});
   draw_types(drawing, all);
   draw_states(drawing, all);
