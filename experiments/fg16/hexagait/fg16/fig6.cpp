@@ -76,65 +76,48 @@ Climb climb(std::size_t trial, const ExperimentContext& context,
 
 using Climbs = std::array<Climb, kStarts.size()>;
 
-// Leg by leg of each trial; a blank line ends each swing.
-void write_feet(figures::StagedFiles& files, const Climbs& climbs) {
-  figures::Csv csv(
+// Feet leg by leg of each trial, a blank line after each swing; touchdowns; the base and its pushes;
+// the share of the swing samples whose error is less, and in words what the legend says of it.
+std::vector<std::string> write_tracks(figures::StagedFiles& files, const Climbs& climbs) {
+  figures::Csv feet(
       "time_s,trial,leg,commanded_x_m,commanded_y_m,commanded_z_m,x_m,y_m,z_m,error_m");
-  for (std::size_t trial = 0; trial < climbs.size(); ++trial)
-    for (LegId i = 0; i < 6; ++i) {
-      for (const FootTracks::Sample& s : climbs[trial].tracks.samples())
-        if (s.swinging.contains(i))
-          csv.row(s.time, trial, i, s.commanded[i], s.reached[i],
-                  (s.commanded[i] - s.reached[i]).norm());
-        else
-          csv.gap();
-    }
-  files.write("fg16_fig6-feet.csv", csv.text());
-}
-
-void write_touchdowns(figures::StagedFiles& files, const Climbs& climbs) {
-  figures::Csv csv("time_s,trial,leg,foothold_x_m,foothold_y_m,foothold_z_m,x_m,y_m,z_m,error_m");
-  for (std::size_t trial = 0; trial < climbs.size(); ++trial)
-    for (const FootTracks::Touchdown& t : climbs[trial].tracks.touchdowns())
-      csv.row(t.time, trial, t.leg, t.foothold, t.reached, t.error());
-  files.write("fg16_fig6-touchdowns.csv", csv.text());
-}
-
-void write_bases(figures::StagedFiles& files, const Climbs& climbs) {
+  figures::Csv touchdowns(
+      "time_s,trial,leg,foothold_x_m,foothold_y_m,foothold_z_m,x_m,y_m,z_m,error_m");
   figures::Csv base("time_s,trial,x_m,y_m,z_m"), pushes("trial,x_m,y_m,force_x_n,force_y_n");
-  for (std::size_t trial = 0; trial < climbs.size(); ++trial) {
-    const auto& [summary, tracks, pushed_at] = climbs[trial];
-    for (const FootTracks::Sample& s : tracks.samples()) base.row(s.time, trial, s.X_MB.p);
-    base.gap();
-    for (std::size_t k = 0; k < pushed_at.size(); ++k)
-      pushes.row(trial, pushed_at[k].x(), pushed_at[k].y(), kPushes[k].x(), kPushes[k].y());
-  }
-  files.write("fg16_fig6-base.csv", base.text());
-  files.write("fg16_fig6-pushes.csv", pushes.text());
-}
-
-// Share of the swing samples whose error is less; and in words what the legend says.
-std::vector<std::string> write_shares(figures::StagedFiles& files, const Climbs& climbs) {
-  figures::Csv csv("trial,error_m,share");
+  figures::Csv shares("trial,error_m,share");
   std::vector<std::string> legends;
   for (std::size_t trial = 0; trial < climbs.size(); ++trial) {
-    const std::vector<double> errors = climbs[trial].tracks.swing_errors();
-    for (int k = 0; k <= 200; ++k) csv.row(trial, walk::percentile(errors, k / 200.0), k / 200.0);
-    csv.gap();
+    const auto& [summary, tracks, pushed_at] = climbs[trial];
+    for (LegId i = 0; i < 6; ++i)
+      for (const FootTracks::Sample& s : tracks.samples())
+        if (s.swinging.contains(i))
+          feet.row(s.time, trial, i, s.commanded[i], s.reached[i],
+                   (s.commanded[i] - s.reached[i]).norm());
+        else
+          feet.gap();
+    for (const FootTracks::Touchdown& t : tracks.touchdowns())
+      touchdowns.row(t.time, trial, t.leg, t.foothold, t.reached, t.error());
+    for (const FootTracks::Sample& s : tracks.samples()) base.row(s.time, trial, s.X_MB.p);
+    for (std::size_t k = 0; k < pushed_at.size(); ++k)
+      pushes.row(trial, pushed_at[k].x(), pushed_at[k].y(), kPushes[k].x(), kPushes[k].y());
+    const std::vector<double> errors = tracks.swing_errors();
+    const auto error_of = [&](double share) { return walk::percentile(errors, share); };
+    for (int k = 0; k <= 200; ++k) shares.row(trial, error_of(k / 200.0), k / 200.0);
+    for (figures::Csv* csv : {&feet, &base, &shares}) csv->gap();
     legends.push_back(fmt::format("{}: median {:.1f} mm, 95 % {:.1f} mm{}", "ABCD"[trial],
-                                  1e3 * walk::percentile(errors, 0.5),
-                                  1e3 * walk::percentile(errors, 0.95),
+                                  1e3 * error_of(0.5), 1e3 * error_of(0.95),
                                   trial == kBlocked ? ", blocked" : ""));
   }
-  files.write("fg16_fig6-shares.csv", csv.text());
+  files.write("fg16_fig6-feet.csv", feet.text());
+  files.write("fg16_fig6-touchdowns.csv", touchdowns.text());
+  files.write("fg16_fig6-base.csv", base.text());
+  files.write("fg16_fig6-pushes.csv", pushes.text());
+  files.write("fg16_fig6-shares.csv", shares.text());
   return legends;
 }
 
 void draw(figures::StagedFiles& files, const ExperimentContext& context, const Climbs& climbs,
           const sim3d::Block& block) {
-  write_feet(files, climbs);
-  write_touchdowns(files, climbs);
-  write_bases(files, climbs);
   const double step_height = sim3d::parse_terrain(kTerrain).height;
   figures::draw_figure(
       files,
@@ -153,7 +136,7 @@ void draw(figures::StagedFiles& files, const ExperimentContext& context, const C
        {"block_length", block.size.x()},
        {"block_width", block.size.y()},
        {"block_height", block.size.z()},
-       {"legends", write_shares(files, climbs)}},
+       {"legends", write_tracks(files, climbs)}},
       scripts::fg16::fig6);
 }
 

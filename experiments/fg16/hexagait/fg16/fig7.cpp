@@ -66,31 +66,27 @@ double way(const FootTracks::Touchdown& t, const RobotModel& robot) {
   return t.foothold.x() - robot.legs[t.leg].p_BC.x() - kRoute.start;
 }
 
-// The foot that is shown, in three frames.
-void write_foot(figures::StagedFiles& files, const FootTracks& tracks) {
-  figures::Csv csv(
+// The foot that is shown, in three frames; and all touchdowns of both walks.
+void write_tracks(figures::StagedFiles& files, const Walk& combined, const Walk& odometry,
+                  const RobotModel& robot) {
+  figures::Csv foot(
       "time_s,localised_x_m,localised_y_m,localised_z_m,odometry_x_m,odometry_y_m,odometry_z_m,"
       "x_m,y_m,z_m");
-  for (const FootTracks::Sample& s : tracks.samples())
-    csv.row(s.time, s.by_localisation[kShown], s.by_odometry[kShown], s.reached[kShown]);
-  files.write("fg16_fig7-foot.csv", csv.text());
-}
-
-void write_touchdowns(figures::StagedFiles& files, const Walk& combined, const Walk& odometry,
-                      const RobotModel& robot) {
-  figures::Csv csv(
+  for (const FootTracks::Sample& s : combined.tracks.samples())
+    foot.row(s.time, s.by_localisation[kShown], s.by_odometry[kShown], s.reached[kShown]);
+  figures::Csv touchdowns(
       "odometry_only,leg,way_m,foothold_x_m,foothold_y_m,foothold_z_m,x_m,y_m,z_m,error_m");
   for (const Walk* walk : {&combined, &odometry})
     for (const FootTracks::Touchdown& t : walk->tracks.touchdowns())
-      csv.row(walk == &odometry, t.leg, way(t, robot), t.foothold, t.reached, t.error());
-  files.write("fg16_fig7-touchdowns.csv", csv.text());
+      touchdowns.row(walk == &odometry, t.leg, way(t, robot), t.foothold, t.reached, t.error());
+  files.write("fg16_fig7-foot.csv", foot.text());
+  files.write("fg16_fig7-touchdowns.csv", touchdowns.text());
 }
 
 void draw(figures::StagedFiles& files, const ExperimentContext& context, const Walk& combined,
           const Walk& odometry) {
   const RobotModel& robot = *context.robot;
-  write_foot(files, combined.tracks);
-  write_touchdowns(files, combined, odometry, robot);
+  write_tracks(files, combined, odometry, robot);
   figures::draw_figure(
       files,
       context.figure(

@@ -21,24 +21,6 @@ SliceComparison::Run run(const sim2d::SliceConfig& config, std::uint32_t trial) 
           (robot.position() - start) / (config.slices - SliceComparison::kTransient)};
 }
 
-// A row per gait and trial.
-figures::Table trial_table(const SliceComparison& c) {
-  figures::Table table{{"gait_number", "gait", "trial", "speed", "settled_speed", "ahead", "sweep",
-                        "share_of_bound", "lifts", "tripod_after", "hash"},
-                       {}};
-  for (std::size_t k = 0; k < c.gaits.size(); ++k)
-    for (std::size_t trial = 0; trial < c.runs[k].size(); ++trial) {
-      const auto& [s, settled] = c.runs[k][trial];
-      table.rows.push_back({std::to_string(k), c.gaits[k], std::to_string(trial),
-                            fmt::format("{}", s.speed), fmt::format("{}", settled),
-                            fmt::format("{}", s.speed - c.runs[0][trial].summary.speed),
-                            fmt::format("{}", s.sweep), fmt::format("{}", s.fraction_of_bound()),
-                            std::to_string(s.lifts), std::to_string(s.tripod_after),
-                            fmt::format("{:016x}", s.hash)});
-    }
-  return table;
-}
-
 // The names by which the figures call the gaits.
 std::string title_of(const std::string& gait) {
   if (gait == "free") return "free gait";
@@ -124,27 +106,33 @@ std::string described(const SliceComparison& c) {
 void draw_comparison(figures::StagedFiles& files, const figures::Figure& figure,
                      const SliceComparison& c, figures::Variables variables,
                      std::string_view script) {
-  figures::write_csv(files, figure.stem + "-trials.csv", trial_table(c));
+  figures::Csv trials(
+      "gait_number,gait,trial,speed,settled_speed,ahead,sweep,share_of_bound,lifts,tripod_after,"
+      "hash");
   figures::Csv means("gait_number,gait,mean,sd,half_width_95,ahead,ahead_half_width_95");
   std::vector<std::string> names;
   double least_lead = 0.0, most_lead = 0.0, most_speed = 0.0;
   for (std::size_t k = 0; k < c.gaits.size(); ++k) {
+    names.push_back(title_of(c.gaits[k]));
     const statistics::Estimate speed = statistics::estimate(c.speeds(k)),
                                ahead = c.ahead_of_first(k);
     means.row(k, c.gaits[k], speed.mean, speed.sd, speed.half_width, ahead.mean, ahead.half_width);
-    names.push_back(title_of(c.gaits[k]));
     for (std::size_t trial = 0; trial < c.runs[k].size(); ++trial) {
-      const double lead = c.runs[k][trial].summary.speed - c.runs[0][trial].summary.speed;
+      const auto& [s, settled] = c.runs[k][trial];
+      const double lead = s.speed - c.runs[0][trial].summary.speed;
+      trials.row(k, c.gaits[k], trial, s.speed, settled, lead, s.sweep, s.fraction_of_bound(),
+                 s.lifts, s.tripod_after, fmt::format("{:016x}", s.hash));
       least_lead = std::min(least_lead, lead);
       most_lead = std::max(most_lead, lead);
-      most_speed = std::max(most_speed, c.runs[k][trial].summary.speed);
+      most_speed = std::max(most_speed, s.speed);
     }
   }
+  files.write(figure.stem + "-trials.csv", trials.text());
   files.write(figure.stem + "-means.csv", means.text());
   variables.set("names", names);
-  variables.set("least_lead", least_lead);
-  variables.set("most_lead", most_lead);
-  variables.set("most_speed", most_speed);
+  for (const auto& [name, value] :
+       {std::pair{"least_lead", least_lead}, {"most_lead", most_lead}, {"most_speed", most_speed}})
+    variables.set(name, value);
   figures::draw_figure(files, figure, variables,
                        std::string(scripts::pc04::slice_comparison).append(script));
 }

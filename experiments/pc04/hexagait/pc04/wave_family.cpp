@@ -101,36 +101,33 @@ void measure(Segment& segment, const recording::Recording& recording) {
   segment.speed_by_law = speed_by_law(segment);
 }
 
-void write_segments(figures::StagedFiles& files, const std::vector<Segment>& segments) {
-  figures::Csv csv(
+// What each part was found to be; and the duty factor of every single step: from its lift to the
+// leg's next.
+void write_duty_factors(figures::StagedFiles& files, const std::vector<Segment>& segments,
+                        const recording::Recording& recording) {
+  figures::Csv parts(
       "from_s,to_s,duty_factor,name,measured_mean,measured_least,measured_greatest,period_s,"
       "step_time_s,phase_error,speed_m_s,speed_by_law_m_s");
   for (const Segment& s : segments)
-    csv.row(s.from, s.to, s.duty_factor, s.name, s.mean_duty, s.least_duty, s.greatest_duty,
-            s.period, s.step_time, s.phase_error, s.speed, s.speed_by_law);
-  files.write("wave_family-segments.csv", csv.text());
-}
-
-// The duty factor of every single step: from its lift to the leg's next.
-void write_duty(figures::StagedFiles& files, const recording::Recording& recording) {
-  figures::Csv csv("leg,time_s,duty_factor");
+    parts.row(s.from, s.to, s.duty_factor, s.name, s.mean_duty, s.least_duty, s.greatest_duty,
+              s.period, s.step_time, s.phase_error, s.speed, s.speed_by_law);
+  figures::Csv duty("leg,time_s,duty_factor");
   const auto& steps = recording.steps();
   for (auto step = steps.begin(); step != steps.end(); ++step) {
-    const auto next = std::find_if(step + 1, steps.end(), [&](const recording::Recording::Step& s) {
-      return s.leg == step->leg;
-    });
+    const auto next = std::find_if(step + 1, steps.end(),
+                                   [&](const auto& later) { return later.leg == step->leg; });
     if (next == steps.end() || std::isnan(step->land)) continue;
-    csv.row(step->leg, step->lift, 1.0 - (step->land - step->lift) / (next->lift - step->lift));
+    duty.row(step->leg, step->lift, 1.0 - (step->land - step->lift) / (next->lift - step->lift));
   }
-  files.write("wave_family-duty.csv", csv.text());
+  files.write("wave_family-segments.csv", parts.text());
+  files.write("wave_family-duty.csv", duty.text());
 }
 
 void draw(figures::StagedFiles& files, const ExperimentContext& context,
           const std::vector<Segment>& segments, const recording::Recording& recording) {
   constexpr double kWindow = 7.0;  // of the panels at the bottom [s]
   const RobotModel& robot = *context.robot;
-  write_segments(files, segments);
-  write_duty(files, recording);
+  write_duty_factors(files, segments, recording);
   std::ofstream steps = files.create("wave_family-steps.csv");
   recording.write_steps(steps, robot);
   std::ofstream gait = files.create("wave_family-gait.csv");

@@ -17,7 +17,7 @@ unset key
 # b: the gait diagram of the whole walk; below it the type of the gait state
 eval panel(0.05, 0.985, 0.45, 0.66)
 eval heading("b", "Legs in the air")
-eval legend_of_types(0.865, 0.03)
+eval legend_of_types(0.855, 0.03)
 set yrange [legs+0.75:-0.65]
 set ytics @row_names scale 0
 set grid noytics
