@@ -85,8 +85,9 @@ void add_experiment(CLI::App& app, ExperimentArguments& a) {
       app.add_subcommand("experiment", "Make a figure of a paper again, and test its claims");
   experiment->footer(
       "\nExamples:\n  hexagait experiment --list\n  hexagait experiment fig9 --out results\n\n"
-      "Exit status: 0 every claim holds, or it is known and said why not; 1 one does not hold;\n"
-      "2 bad usage or input; 130 Ctrl-C. `all` also writes index.html, a page that shows them.");
+      "Exit status: 0 every claim holds, or fails within the band that is declared for it; 1 one\n"
+      "does not, or holds unexpectedly; 2 bad usage or input; 130 Ctrl-C. `all` also writes "
+      "index.html, a page that shows them.");
   experiment->add_option("name", a.name, "Which: see --list")
       ->type_name("NAME|all")
       ->capture_default_str();
@@ -94,6 +95,8 @@ void add_experiment(CLI::App& app, ExperimentArguments& a) {
       ->type_name("DIR")
       ->capture_default_str();
   experiment->add_flag("--list", a.list, "List the experiments");
+  experiment->add_flag("--short", a.short_form,
+                       "Some seconds each; claims that need the full length are not judged");
   experiment->add_flag("--json", a.json, "Print the verdicts as one JSON object");
   experiment->add_flag("--quiet", a.quiet, "No progress on stderr");
 }
