@@ -92,7 +92,7 @@ void write_profiles(figures::StagedFiles& files, const std::vector<SliceComparis
       fmt::print(
           csv, "{},{},{},{},{},{},{},{},{}\n", gait, kGaits[gait], kRoughness[k], speed.mean,
           speed.half_width, ahead.mean, ahead.half_width,
-          statistics::estimate(c.each(gait, [](const auto& r) { return r.summary.sweep; })).mean,
+          statistics::estimate(c.each(gait, [](const auto& r) { return r.summary.stroke; })).mean,
           statistics::estimate(c.each(gait, [](const auto& r) {
             return r.summary.fraction_of_bound();
           })).mean);
@@ -167,9 +167,9 @@ std::vector<Verdict> judge(const std::vector<SliceComparison>& descents,
 
   const SliceComparison& c = descents[1];
   const double free_stroke =
-      statistics::estimate(c.each(kFree, [](const auto& r) { return r.summary.sweep; })).mean;
+      statistics::estimate(c.each(kFree, [](const auto& r) { return r.summary.stroke; })).mean;
   const double stroke =
-      statistics::estimate(c.each(kTripod, [](const auto& r) { return r.summary.sweep; })).mean;
+      statistics::estimate(c.each(kTripod, [](const auto& r) { return r.summary.stroke; })).mean;
   const auto share = [&](Gait gait) {
     return statistics::estimate(
                c.each(gait, [](const auto& r) { return r.summary.fraction_of_bound(); }))

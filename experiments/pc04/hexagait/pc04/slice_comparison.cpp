@@ -64,7 +64,7 @@ figures::Table summary_table(const SliceComparison& c) {
     const std::vector<double> speeds = c.speeds(k);
     const auto [least, most] = std::ranges::minmax(speeds);
     const statistics::Estimate sweep =
-        statistics::estimate(c.each(k, [](const auto& run) { return run.summary.sweep; }));
+        statistics::estimate(c.each(k, [](const auto& run) { return run.summary.stroke; }));
     const statistics::Estimate share = statistics::estimate(
         c.each(k, [](const auto& run) { return run.summary.fraction_of_bound(); }));
     table.rows.push_back({c.terrain, c.gaits[k], spelt(statistics::estimate(speeds)),
@@ -86,7 +86,7 @@ figures::Table trial_table(const SliceComparison& c) {
       table.rows.push_back({std::to_string(k), c.gaits[k], std::to_string(trial),
                             fmt::format("{}", s.speed), fmt::format("{}", settled),
                             fmt::format("{}", s.speed - c.runs[0][trial].summary.speed),
-                            fmt::format("{}", s.sweep), fmt::format("{}", s.fraction_of_bound()),
+                            fmt::format("{}", s.stroke), fmt::format("{}", s.fraction_of_bound()),
                             std::to_string(s.lifts), std::to_string(s.tripod_after),
                             fmt::format("{:016x}", s.hash)});
     }
