@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <hexagait/balance/stable_region.hpp>
+#include <hexagait/balance/detail/stable_region.hpp>
 #include <hexagait/balance/stance_pose.hpp>
 #include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/math/quadratic_program.hpp>

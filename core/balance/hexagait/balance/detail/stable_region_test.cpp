@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <hexagait/balance/stable_region.hpp>
+#include <hexagait/balance/detail/stable_region.hpp>
 #include <hexagait/sim/random.hpp>
 #include <vector>
 
