@@ -124,7 +124,7 @@ void swing(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
   const Vector2 way = way_to_go(lane, X_OB);
   const double risen = height - lane.p_OL.z();
   const bool sideways =
-      lane.transfer_clock > 0.0 || risen > params.clearance_fraction * lane.step.profile_height;
+      lane.transfer_clock > 0.0 || risen > params.clearance_share * lane.step.profile_height;
   lane.cleared = lane.cleared || !sensed.contact;
 
   if (sideways) move_sideways(lane, way, dt, params);

@@ -33,7 +33,7 @@ struct SwingParams {
   double lift_time = 0.20;
   /// Fraction of the profile height from which the foot moves sideways. Smaller: faster, but the
   /// foot hits edges beside it more often.
-  double clearance_fraction = 0.4;
+  double clearance_share = 0.4;
   /// Duration of the sideways motion [s]; longer where max_speed requires it.
   double transfer_time = 0.38;
   /// Bound on the peak sideways speed of the foot [m/s].
