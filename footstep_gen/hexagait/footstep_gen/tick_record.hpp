@@ -31,12 +31,12 @@ struct TickRecord {
   // gait_state
   gait_state::GaitInput gait_input;
   gait_state::GaitDecision gait;
-  int rear_edge = 0;  ///< ring edge between the rear legs of this heading
-  LegSet lifts;       ///< legs commanded to lift in this tick
-  LegSet waits;       ///< legs that may step but wait: (gait 5), or for their tripod's turn
+  int rear_edge = 0;        ///< ring edge between the rear legs of this heading
+  LegSet lifts;             ///< legs commanded to lift in this tick
+  LegSet waits;             ///< legs that may step but wait: (gait 5), or for their tripod's turn
+  LegSet rule1_violations;  ///< legs that lift while a neighbour lifts or is not in support
 
   // footstep_gen
-  LegSet rule1_violations;              ///< legs that lift while a neighbour is not in support
   double path_to_come = 0.0;            ///< advance until all airborne feet have landed [m of path]
   LegArray<FootstepCommand> footsteps;  ///< last command of each leg
   BaseAutoCommand base_auto;
