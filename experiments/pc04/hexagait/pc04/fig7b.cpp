@@ -34,7 +34,7 @@ void write_profiles(figures::StagedFiles& files, const std::vector<SliceComparis
       const statistics::Estimate speed = statistics::estimate(c.speeds(gait)),
                                  ahead = c.ahead_of_first(gait);
       csv.row(gait, kGaits[gait], kRoughness[k], speed.mean, speed.half_width, ahead.mean,
-              ahead.half_width, c.mean(gait, [](const auto& r) { return r.summary.sweep; }),
+              ahead.half_width, c.mean(gait, [](const auto& r) { return r.summary.stroke; }),
               c.mean(gait, [](const auto& r) { return r.summary.fraction_of_bound(); }));
     }
     csv.gap();

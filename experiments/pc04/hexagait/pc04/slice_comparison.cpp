@@ -73,7 +73,7 @@ figures::Table summary_table(const SliceComparison& c) {
   for (std::size_t k = 0; k < c.gaits.size(); ++k) {
     const std::vector<double> speeds = c.speeds(k);
     const auto [least, most] = std::ranges::minmax(speeds);
-    const double sweep = c.mean(k, [](const auto& run) { return run.summary.sweep; });
+    const double sweep = c.mean(k, [](const auto& run) { return run.summary.stroke; });
     const double share = c.mean(k, [](const auto& run) { return run.summary.fraction_of_bound(); });
     table.rows.push_back({c.terrain, c.gaits[k], spelt(statistics::estimate(speeds)),
                           fmt::format("{:.3f}", statistics::estimate(speeds).sd),
