@@ -108,6 +108,7 @@ void add_sweep(CLI::App& app, SweepArguments& a) {
       "  hexagait sweep sweeps/speed_argos.yaml --shard 2/8 --out results/part2\n"
       "  hexagait sweep sweeps/speed_argos.yaml --emit slurm --shards 32 --out results/argos\n\n"
       "After Ctrl-C, or worse, the same command goes on where it was.\n"
+      "A trial that crashes or takes too long makes a row without a result, and holds up nothing.\n"
       "Exit status: 0 all trials are in; 1 some are missing; 2 bad usage or input; 130 Ctrl-C.");
   sweep->add_option("file", a.file, "Sweep file: see docs/sweeps.md")
       ->type_name("FILE.yaml")
@@ -118,6 +119,11 @@ void add_sweep(CLI::App& app, SweepArguments& a) {
   sweep->add_option("--emit", a.emit, "Run nothing; write job files for several machines")
       ->type_name("slurm|parallel|mpi");
   sweep->add_option("--shards", a.shards, "Number of jobs, for --emit")->type_name("N");
+  sweep
+      ->add_option("--trial-timeout", a.trial_timeout,
+                   "Give a trial up after so long; default a minute and 10 times what it simulates")
+      ->type_name("SECONDS");
+  sweep->add_flag("--yes", a.yes, "Go on even if it will take more than three days");
   sweep->add_flag("--json", a.json, "Print one JSON object");
   sweep->add_flag("--quiet", a.quiet, "No progress on stderr");
 }
