@@ -263,11 +263,14 @@ Outcome fg16_fig6(const ExperimentContext& context, figures::StagedFiles& files)
   }
   draw(files, climbs, blocks.front(), *context.robot);
   return {.verdicts = judge(climbs, *context.robot),
-          .settings = {
-              {"robot", context.robot->name},
-              {"terrain", kTerrain},
-              {"trials", std::to_string(climbs.size())},
-              {"push", fmt::format("{:.0f} N for {} s", kPushes.front().norm(), kPushSeconds)}}};
+          .settings = {{"robot", context.robot->name},
+                       {"terrain", kTerrain},
+                       {"trials", std::to_string(climbs.size())},
+                       {"push",
+                        fmt::format("{:.0f} N for {} s", kPushes.front().norm(), kPushSeconds)}},
+         .provenance =
+             recording::provenance(context.robot->name, *context.robot, recording::Simulation{})
+};
 }
 
 }  // namespace hexagait::experiments
