@@ -120,7 +120,7 @@ void draw_comparison(figures::StagedFiles& files, const figures::Figure& figure,
     for (std::size_t trial = 0; trial < c.runs[k].size(); ++trial) {
       const auto& [s, settled] = c.runs[k][trial];
       const double lead = s.speed - c.runs[0][trial].summary.speed;
-      trials.row(k, c.gaits[k], trial, s.speed, settled, lead, s.sweep, s.fraction_of_bound(),
+      trials.row(k, c.gaits[k], trial, s.speed, settled, lead, s.stroke, s.fraction_of_bound(),
                  s.lifts, s.tripod_after, fmt::format("{:016x}", s.hash));
       least_lead = std::min(least_lead, lead);
       most_lead = std::max(most_lead, lead);
