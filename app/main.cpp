@@ -94,6 +94,9 @@ void add_experiment(CLI::App& app, ExperimentArguments& a) {
   experiment->add_option("--out", a.out, "Directory; a directory per experiment is made in it")
       ->type_name("DIR")
       ->capture_default_str();
+  experiment->add_option("--title", a.title, "none: figures without titles, for a paper")
+      ->check(CLI::IsMember({"auto", "none"}))
+      ->capture_default_str();
   experiment->add_flag("--list", a.list, "List the experiments");
   experiment->add_flag("--short", a.short_form,
                        "Some seconds each; claims that need the full length are not judged");
