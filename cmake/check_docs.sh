@@ -40,7 +40,7 @@ command_lines() {
   {
     sed -n '/^ *```/,/^ *```/p' "$1"
     grep -oE '`[^`]+`' "$1" | tr -d '`'
-  } | grep -oE '(^|[ /])hexagait [a-z]+( .*)?$' | sed -E 's/^.*hexagait //; s/ #.*//' || true
+  } | sed 's/ #.*//' | grep -oE '^([^ ]*/)?hexagait [a-z]+( .*)?$' | sed -E 's/^.*hexagait //' || true
 }
 
 declare -A help
