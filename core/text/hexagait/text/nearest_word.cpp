@@ -42,4 +42,9 @@ std::optional<std::string> nearest_word(std::string_view word, std::span<const s
   return *nearest;
 }
 
+std::string did_you_mean(std::string_view word, std::span<const std::string> known) {
+  const std::optional<std::string> meant = nearest_word(word, known);
+  return meant ? "; did you mean '" + *meant + "'?" : "";
+}
+
 }  // namespace hexagait

@@ -19,4 +19,7 @@ namespace hexagait {
 [[nodiscard]] std::optional<std::string> nearest_word(std::string_view word,
                                                       std::span<const std::string> known);
 
+/// "; did you mean 'nod'?" for messages; empty if no word is near.
+[[nodiscard]] std::string did_you_mean(std::string_view word, std::span<const std::string> known);
+
 }  // namespace hexagait

@@ -116,10 +116,7 @@ class Filler {
  private:
   YamlNode& at(int index) { return tree_[static_cast<std::size_t>(index)]; }
 
-  void add(const Mark& mark, const std::string& problem) {
-    violations_.add(mark, problem);
-    if (violations_.size() >= 100) violations_.throw_if_any();
-  }
+  void add(const Mark& mark, const std::string& problem) { violations_.add(mark, problem); }
 
   void read_default(const YamlNode& key, int index) {
     const std::optional<Value> value = as_value(tree_, index);

@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <hexagait/urdf/detail/robot_tree.hpp>
+#include <hexagait/urdf/detail/xml_size.hpp>
 #include <mutex>
 
 namespace hexagait {
@@ -40,6 +41,10 @@ class UrdfdomLog : public console_bridge::OutputHandler {
 /// What urdfdom complains about is a violation, also where it carries on (with 0 for a bad mass).
 /// @returns null if urdfdom refuses the text
 urdf::ModelInterfaceSharedPtr parse(const std::string& xml, Violations& violations) {
+  if (const std::string problem = too_large(xml); !problem.empty()) {
+    violations.add("URDF", problem);
+    return nullptr;
+  }
   static std::mutex one_at_a_time;  // urdfdom reports through one global handler
   const std::lock_guard lock(one_at_a_time);
   const UrdfdomLog log;
@@ -53,6 +58,14 @@ urdf::ModelInterfaceSharedPtr parse(const std::string& xml, Violations& violatio
   if (!model || !reasons.empty()) violations.add("URDF", reasons);
   return model;
 }
+
+/// Links own their children: if some form a ring, they would never be freed.
+struct LinkOwner {
+  urdf::ModelInterface& model;
+  ~LinkOwner() {
+    for (const auto& [name, link] : model.links_) link->child_links.clear();
+  }
+};
 
 Vector3 vector(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
 
@@ -287,10 +300,8 @@ void Reader::report_unreached() {
 std::optional<RobotTree> read_robot_tree(const std::string& xml, Violations& violations) {
   const urdf::ModelInterfaceSharedPtr model = parse(xml, violations);
   if (!model) return std::nullopt;
-  RobotTree tree = Reader(*model, violations).read();
-  // Links own their children: if some form a ring, they would never be freed.
-  for (const auto& [name, link] : model->links_) link->child_links.clear();
-  return tree;
+  const LinkOwner owner{*model};
+  return Reader(*model, violations).read();
 }
 
 }  // namespace hexagait
