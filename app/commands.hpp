@@ -11,8 +11,9 @@
 namespace hexagait::app {
 
 inline constexpr int kOk = 0;
-inline constexpr int kFailed = 1;         ///< the walk or the check failed
-inline constexpr int kBadInput = 2;       ///< bad usage or input; nothing was done
+inline constexpr int kFailed = 1;  ///< the walk or the check failed
+inline constexpr int kBadInput =
+    2;  ///< bad usage or input, or a file or stdout that can't be written
 inline constexpr int kInterrupted = 130;  ///< by Ctrl-C
 
 /// `hexagait walk`. @throws InvalidInput
@@ -43,7 +44,7 @@ int robot_command(const std::string& robot, bool json);
 /// `hexagait verify`: 0 if all theorems hold.
 int verify_command(bool as_json, bool quiet);
 
-/// `hexagait terrains`.
-int terrains_command();
+/// `hexagait list WHAT`. @throws InvalidInput  if there is no such list
+int list_command(const std::string& what, bool json);
 
 }  // namespace hexagait::app

@@ -93,10 +93,10 @@ TEST(Schedule, RefusesDutyFactorsThatNoWaveGaitHas) {
 
 TEST(Schedule, RefusesEveryMistakeWithItsLineAndWhatWouldBeRight) {
   EXPECT_THAT(refusal("- {at: 0}\n- {at: 1, spin: left}\n"),
-              AllOf(HasSubstr(":2:16: "), HasSubstr("\"left\""), HasSubstr("known: ccw, cw")));
-  EXPECT_THAT(refusal("- {at: 0, radius: 0}\n"), AllOf(HasSubstr(":1:18: "), HasSubstr("spin")));
-  EXPECT_THAT(refusal("- {at: 0, radius: nan}\n"), AllOf(HasSubstr(":1:18: "), HasSubstr("'nan'")));
-  EXPECT_THAT(refusal("- {at: 0, crab: inf}\n"), AllOf(HasSubstr(":1:16: "), HasSubstr("30deg")));
+              AllOf(HasSubstr(":2:17: "), HasSubstr("\"left\""), HasSubstr("known: ccw, cw")));
+  EXPECT_THAT(refusal("- {at: 0, radius: 0}\n"), AllOf(HasSubstr(":1:19: "), HasSubstr("spin")));
+  EXPECT_THAT(refusal("- {at: 0, radius: nan}\n"), AllOf(HasSubstr(":1:19: "), HasSubstr("'nan'")));
+  EXPECT_THAT(refusal("- {at: 0, crab: inf}\n"), AllOf(HasSubstr(":1:17: "), HasSubstr("30deg")));
   EXPECT_THAT(refusal("- {at: 0, crab: 3turns}\n"), HasSubstr("'3turns'"));
   EXPECT_THAT(refusal("- {at: 0, stop: maybe}\n"), HasSubstr("\"maybe\""));
   EXPECT_THAT(refusal("- {at: 0, speed: 3}\n"), HasSubstr("unknown key of command \"speed\""));

@@ -38,8 +38,16 @@ class UrdfdomLog : public console_bridge::OutputHandler {
   console_bridge::LogLevel level_;
 };
 
+/// Links own their children: if some form a ring, they would never be freed.
+struct LinkOwner {
+  urdf::ModelInterface& model;
+  ~LinkOwner() {
+    for (const auto& [name, link] : model.links_) link->child_links.clear();
+  }
+};
+
 /// What urdfdom complains about is a violation, also where it carries on (with 0 for a bad mass).
-/// @returns null if urdfdom refuses the text
+/// @returns null if there is any: what is wrong with the rest would follow from it
 urdf::ModelInterfaceSharedPtr parse(const std::string& xml, Violations& violations) {
   if (const std::string problem = too_large(xml); !problem.empty()) {
     violations.add("URDF", problem);
@@ -55,17 +63,11 @@ urdf::ModelInterfaceSharedPtr parse(const std::string& xml, Violations& violatio
   for (const std::string& error : log.errors)
     reasons.append(reasons.empty() ? "" : "; ").append(error);
   if (!model) reasons += "; it must be XML with a <robot> element and its links and joints";
-  if (!model || !reasons.empty()) violations.add("URDF", reasons);
-  return model;
+  if (model && reasons.empty()) return model;
+  violations.add("URDF", reasons);
+  if (model) const LinkOwner frees{*model};
+  return nullptr;
 }
-
-/// Links own their children: if some form a ring, they would never be freed.
-struct LinkOwner {
-  urdf::ModelInterface& model;
-  ~LinkOwner() {
-    for (const auto& [name, link] : model.links_) link->child_links.clear();
-  }
-};
 
 Vector3 vector(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
 
