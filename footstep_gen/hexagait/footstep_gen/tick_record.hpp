@@ -34,9 +34,9 @@ struct TickRecord {
   int rear_edge = 0;  ///< ring edge between the rear legs, for this heading
   LegSet lifts;       ///< legs commanded to lift in this tick
   LegSet waits;       ///< legs that may step and are held back: (gait 5), or the tripod's turn
+  LegSet rule1_violations;  ///< legs that lift with a neighbour that lifts or is not in support
 
   // footstep_gen
-  LegSet rule1_violations;       ///< legs that lift with a neighbour not in support
   double path_to_come = 0.0;     ///< advance still to come when all airborne feet stand [m of path]
   LegArray<Footstep> footsteps;  ///< the last one of each leg
   BaseAuto base_auto;

@@ -5,7 +5,7 @@
 #include <hexagait/executor/state_estimator.hpp>
 #include <hexagait/footstep_gen/generator.hpp>
 #include <hexagait/footstep_gen/tick_record.hpp>
-#include <hexagait/gait_state/stepper.hpp>
+#include <hexagait/gait_state/decide.hpp>
 #include <hexagait/heading_control/path_tracker.hpp>
 #include <hexagait/plant/plant_watch.hpp>
 
@@ -63,7 +63,6 @@ class Walker {
     return static_cast<double>(ticks_) * params_.control_dt;
   }
   [[nodiscard]] double share_to_come(LegId leg) const noexcept;
-  [[nodiscard]] bool neighbour_off_ground(LegId leg) const noexcept;
 
   const RobotModel* model_;
   WalkerParams params_;
@@ -71,8 +70,7 @@ class Walker {
   PlantWatch watch_;
   StateEstimator estimator_;
   heading_control::PathTracker tracker_;
-  gait_state::GaitLatch latch_;
-  gait_state::Stepper stepper_;
+  gait_state::GaitMemory memory_;
   Executor executor_;
   long ticks_ = 0;  ///< that were walked: a late period makes no step longer
   TickRecord record_;

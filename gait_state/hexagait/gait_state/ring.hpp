@@ -116,6 +116,11 @@ struct Neighbours {
   return (ring & from_after(ring, n)) != 0;
 }
 
+/// Of the legs that lift, those with a neighbour that lifts too or is off the ground already.
+[[nodiscard]] constexpr LegSet rule_1_violations(LegSet lifts, LegSet airborne, int n) noexcept {
+  return lifts & neighbours_of(lifts | airborne, n);
+}
+
 /// Positions 0, 2, 4, …; as edges, those whose earlier leg belongs to the first tripod.
 inline constexpr RingBits kEvenPositions = 0x555U;
 /// Positions 1, 3, 5, …; as edges, those whose later leg belongs to the first tripod.

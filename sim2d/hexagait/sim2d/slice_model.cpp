@@ -34,7 +34,7 @@ SliceRobot::SliceRobot(const SliceConfig& config, const SliceSeed& seed,
     : config_(config),
       seed_(seed),
       gait_params_{.tie_tolerance = kTie, .adjustment = config.gait.adjustment},
-      stepper_(foot.size(), 1.0 + descent_of({}, seed, 0, 0)),
+      memory_(foot.size(), 1.0 + descent_of({}, seed, 0, 0)),
       foot_(foot),
       in_air_(foot.size(), 0),
       due_(foot.size(), 0),
@@ -59,11 +59,10 @@ SliceRecord SliceRobot::advance() {
   for (LegId leg = 0; leg < foot_.size(); ++leg) input.lag[leg] = -foot_[leg];
 
   SliceRecord record;
-  record.gait = latch_.update(input, gait_params_);
-  record.lifted = stepper_.update({.time = static_cast<double>(slice_),
-                                   .airborne = airborne_,
-                                   .may_step = record.gait.may_step},
-                                  config_.gait.stepper);
+  const gait_state::StepDecision decision = gait_state::decide(
+      memory_, input, {.time = static_cast<double>(slice_)}, gait_params_, config_.gait.stepper);
+  record.gait = decision.gait;
+  record.lifted = decision.lifts;
   if (!record.lifted.empty()) lift(record.lifted);
   record.airborne = airborne_;
   record.advance = move_body();

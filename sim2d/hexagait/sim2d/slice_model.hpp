@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <hexagait/gait_state/decide.hpp>
 #include <hexagait/gait_state/gait_choice.hpp>
 #include <hexagait/sim2d/slice_terrain.hpp>
 
@@ -91,8 +92,7 @@ class SliceRobot {
   SliceConfig config_;
   SliceSeed seed_;
   gait_state::GaitParams gait_params_;
-  gait_state::GaitLatch latch_;
-  gait_state::Stepper stepper_;
+  gait_state::GaitMemory memory_;
   int slice_ = 0;
 
   // Feet and body.
