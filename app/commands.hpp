@@ -30,7 +30,7 @@ int run_command(const ActionArguments& arguments);
 
 /// `hexagait experiment` as it was typed.
 struct ExperimentArguments {
-  std::string name = "all";
+  std::string name;  ///< empty: only the list
   std::string out = "results";
   bool list = false, short_form = false, json = false, quiet = false;
 };

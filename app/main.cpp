@@ -24,17 +24,17 @@ void add_experiment(CLI::App& app, ExperimentArguments& a) {
   CLI::App* experiment =
       app.add_subcommand("experiment", "Make a figure of a paper again, and test its claims");
   experiment->footer(
-      "\nExamples:\n  hexagait experiment --list\n  hexagait experiment fig9 --out results\n\n"
+      "\nWithout a name it lists the experiments; all of them take some nine minutes.\n\n"
+      "Examples:\n  hexagait experiment fig9 --out results\n  hexagait experiment all --short\n\n"
       "Exit status: 0 every claim holds, or fails within the band that is declared for it; 1 one\n"
       "does not, or holds unexpectedly; 2 bad usage or input; 130 Ctrl-C. `all` also writes "
       "index.html, a page that shows them.");
-  experiment->add_option("name", a.name, "Which: see --list")
-      ->type_name("NAME|all")
-      ->capture_default_str();
+  experiment->add_option("name", a.name, "Which: see hexagait list experiments")
+      ->type_name("NAME|all");
   experiment->add_option("--out", a.out, "Directory; a directory per experiment is made in it")
       ->type_name("DIR")
       ->capture_default_str();
-  experiment->add_flag("--list", a.list, "List the experiments");
+  experiment->add_flag("--list", a.list, "The same as hexagait list experiments");
   experiment->add_flag("--short", a.short_form,
                        "Some seconds each; claims that need the full length are not judged");
   experiment->add_flag("--json", a.json, "Print the verdicts as one JSON object");

@@ -8,8 +8,8 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <ios>
+#include <system_error>
 
 namespace hexagait::app {
 namespace {
@@ -50,8 +50,8 @@ std::string write_problem(const std::function<void()>& write) {
     return "";
   } catch (const std::ios_base::failure&) {
     return errno != 0 ? std::strerror(errno) : "write error";
-  } catch (const std::filesystem::filesystem_error& error) {
-    return error.code().message();
+  } catch (const std::system_error& error) {
+    return error.what();
   }
 }
 

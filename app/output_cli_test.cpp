@@ -68,6 +68,28 @@ TEST_F(Cli, ThatCannotWriteAFileNamesItAndStillShowsTheSummary) {
   EXPECT_THAT(plot.out, HasSubstr("straight ahead on flat ground"));
   EXPECT_THAT(plot.err, HasSubstr("--plot is 'walk.svg', which can't be written: File too large"));
   EXPECT_TRUE(fs::is_empty(here())) << "nothing half-written";
+
+  // Room for our tables, not for all of the picture: gnuplot itself does not notice.
+  prefix_ = "ulimit -f 80; trap '' XFSZ; ";
+  const Result picture = run("walk --seconds 1 --plot walk.svg --quiet");
+  EXPECT_EQ(picture.status, 2);
+  EXPECT_THAT(picture.err, AllOf(HasSubstr("--plot is 'walk.svg', which can't be written"),
+                                 HasSubstr("incomplete")));
+  EXPECT_TRUE(fs::is_empty(here()));
+}
+
+TEST_F(Cli, NamesTheExperimentWhoseFilesItCannotWrite) {
+  prefix_ = "ulimit -f 8; trap '' XFSZ; ";
+  const Result result = run("experiment fig6 --out results --quiet 2>&1");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.out, AllOf(HasSubstr("--out is 'results'"), HasSubstr("fig6"),
+                                HasSubstr("File too large")));
+}
+
+// Not all of them, which take nine minutes.
+TEST_F(Cli, ListsTheExperimentsIfNoneIsNamed) {
+  EXPECT_EQ(run("experiment").out, run("list experiments").out);
+  EXPECT_TRUE(fs::is_empty(here()));
 }
 
 TEST_F(Cli, ThatDoesNotArriveSaysSoAndFails) {
