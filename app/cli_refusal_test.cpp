@@ -82,6 +82,7 @@ TEST_F(Cli, RefusesWhatItDoesNotKnow) {
   refuses("walk --fast", {"--fast", "--help"});
   refuses("walk --seconds", {"--seconds"});
   refuses("experiment fig99", {"fig99", "fig9", "fig10", "all"});
+  refuses("experiment fig4 --title big", {"--title", "big", "none"});
   refuses("experiment fg16fig7", {"did you mean 'fg16_fig7'?"});
 }
 

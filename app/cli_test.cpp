@@ -166,6 +166,14 @@ TEST_F(Cli, MakesTheSameFigureInEveryProcess) {
     EXPECT_EQ(content(here() / "a/fig6" / name), content(here() / "b/fig6" / name)) << name;
 }
 
+TEST_F(Cli, LeavesTitlesOutOfFiguresIfAsked) {
+  run("experiment fig4 --quiet --title none");
+  const std::string svg = content(here() / "results/fig4/fig4.svg");
+  EXPECT_THAT(svg, HasSubstr("All 20 states"));
+  EXPECT_THAT(svg, Not(HasSubstr("Transitions between")));
+  EXPECT_THAT(svg, HasSubstr("width=\"1400\" height=\"825\""));
+}
+
 // Interrupted, it tells how far it got, and its trace is whole.
 TEST_F(Cli, StopsCleanlyWhenInterrupted) {
   const pid_t child = start("walk --seconds 80000 --quiet --json --trace walk.csv");
