@@ -12,6 +12,8 @@ struct SweepArguments {
   std::string file, out;
   std::string jobs, shard;
   std::string emit, shards;
+  std::string trial_timeout;
+  bool yes = false;  ///< however long it takes
   bool json = false, quiet = false;
 };
 
@@ -30,8 +32,10 @@ int merge_command(const MergeArguments& arguments);
 
 /// `hexagait report` as it was typed.
 struct ReportArguments {
-  std::string directory, measure;
-  bool json = false;
+  std::string directory;
+  std::vector<std::string> measures;  ///< none: what the sweep says
+  std::string compare = "controllers", title;
+  bool all_trials = false, json = false;
 };
 
 /// `hexagait report`. @throws InvalidInput

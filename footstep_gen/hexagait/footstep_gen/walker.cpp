@@ -4,7 +4,6 @@
 #include <cmath>
 #include <hexagait/footstep_gen/detail/rear_edge.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
-#include <hexagait/gait_state/ring.hpp>
 
 namespace hexagait::footstep_gen {
 
@@ -13,25 +12,25 @@ Walker::Walker(const RobotModel& model, const WalkerParams& params)
       params_(params),
       workspaces_(heading_control::workspaces(model)),
       estimator_(model, params.sensors),
-      stepper_(model.num_legs(), nominal_step_time(params.executor.swing, params.step)),
+      memory_(model.num_legs(), nominal_step_time(params.executor.swing, params.step)),
       executor_(model, params.executor) {}
 
 const TickRecord& Walker::tick(PlantStatus status, const Measurement& measurement,
                                const heading_control::Heading& heading) noexcept {
   record_.lifts = record_.waits = record_.rule1_violations = LegSet();
   if (!healthy(status, measurement)) return record_;
-  estimate();      // what the joints and contacts say: feet, odometry
-  steer(heading);  // (r, α) → arc, and how far off the commanded curve we are
-  decide();        // gait state: who may step; stepper: who does
-  command();       // Footstep and BaseAuto
-  execute();       // Free Gait core: set points, joint targets
+  estimate();      // joints and contacts → feet, odometry
+  steer(heading);  // heading → path of this robot, deviation from it
+  decide();        // gait state: which legs may step; stepper: which do
+  command();       // footsteps and motion of the base
+  execute();       // executor: set points, joint targets
   ++ticks_;
   return record_;
 }
 
 void Walker::start(const Measurement& measurement) {
   StateEstimator estimator(*model_, params_.sensors);
-  const RobotState state = estimator.start(measurement);  // may throw: before anything changes
+  const RobotState state = estimator.start(measurement);  // may throw, so before anything changes
   *this = Walker(*model_, params_);
   estimator_ = estimator;
   record_.measurement = measurement;
@@ -39,7 +38,7 @@ void Walker::start(const Measurement& measurement) {
   executor_.reset(state);
   record_.targets = executor_.targets();
   record_.legs = executor_.legs();
-  record_.footsteps = LegArray<Footstep>(model_->num_legs());
+  record_.footsteps = LegArray<FootstepCommand>(model_->num_legs());
   tracker_.reset({0.0, Vector2::Zero()});
   record_.heading = heading_control::Heading::stop();
   record_.arc = path_arc(record_.heading, workspaces_);
@@ -77,16 +76,14 @@ void Walker::steer(const heading_control::Heading& heading) noexcept {
 
 void Walker::decide() noexcept {
   record_.gait_input = gait_input(*model_, record_.arc, executor_, params_.step);
-  record_.gait = latch_.update(record_.gait_input, params_.gait);
-
-  // Who is told to stand may not step, but steps under way still end.
-  const LegSet may_step = record_.heading.moving() ? record_.gait.may_step : LegSet();
-  record_.lifts = stepper_.update({.time = time(),
-                                   .airborne = record_.gait_input.airborne,
-                                   .may_step = may_step,
-                                   .rear_edge = record_.rear_edge},
-                                  params_.stepper);
-  record_.waits = without(may_step, record_.lifts);
+  const gait_state::StepDecision decision = gait_state::decide(
+      memory_, record_.gait_input,
+      {.time = time(), .rear_edge = record_.rear_edge, .walking = record_.heading.moving()},
+      params_.gait, params_.stepper);
+  record_.gait = decision.gait;
+  record_.lifts = decision.lifts;
+  record_.waits = decision.waits;
+  record_.rule1_violations = decision.rule1_violations;
 }
 
 void Walker::command() noexcept {
@@ -96,31 +93,24 @@ void Walker::command() noexcept {
 
   for (LegId i = 0; i < model_->num_legs(); ++i) {
     const bool in_air = executor_.legs()[i].phase != LegPhase::support;
-    const bool lifts = record_.lifts.contains(i);
-    if (!in_air && !lifts) continue;
+    if (!in_air && !record_.lifts.contains(i)) continue;
     record_.footsteps[i] = footstep(*model_, record_.arc, record_.state, i, half_step,
                                     share_to_come(i) * record_.path_to_come, params_.step);
     executor_.command(record_.footsteps[i], record_.state);
-    if (lifts && neighbour_off_ground(i)) record_.rule1_violations.insert(i);
   }
   record_.base_auto = base_auto(*model_, record_.arc, executor_, record_.deviation, params_.step);
   executor_.command(record_.base_auto);
 }
 
-// The legs of a wave land one after the other. When this one does, the base will have made as much
-// of its way as this leg's time left is of that of the leg that lands last.
+// The legs of a wave land one after the other. The fraction of the advance still to come that the
+// base will have made when this leg lands: its remaining time over that of the leg that lands last.
 double Walker::share_to_come(LegId leg) const noexcept {
   if (params_.stepper.stepping != gait_state::Stepping::wave) return 1.0;
-  const double last_lift = *std::max_element(stepper_.lifted_at.begin(), stepper_.lifted_at.end());
-  const double last_left = last_lift + stepper_.longest_step() - time();
-  const double left = last_left - (last_lift - stepper_.lifted_at[leg]);
+  const gait_state::Stepper& stepper = memory_.stepper;
+  const double last_lift = *std::ranges::max_element(stepper.lifted_at);
+  const double last_left = last_lift + stepper.longest_step() - time();
+  const double left = last_left - (last_lift - stepper.lifted_at[leg]);
   return left > 0.0 ? left / last_left : 0.0;
-}
-
-bool Walker::neighbour_off_ground(LegId leg) const noexcept {
-  const gait_state::Neighbours n = gait_state::neighbours_of(leg, model_->num_legs());
-  const LegSet support = executor_.support();
-  return !support.contains(n.before) || !support.contains(n.after);
 }
 
 void Walker::execute() noexcept {

@@ -48,10 +48,10 @@ void GenghisRecording::observe(const GenghisRecord& record, const GenghisTruth& 
         step->p_WF = truth.feet[i].p_WF;
       }
     }
-    if (record.lifts.contains(i)) steps_.push_back({.leg = i, .lift = time});
+    if (record.decision.lifts.contains(i)) steps_.push_back({.leg = i, .lift = time});
   }
-  const int ccn = record.gait.ccn_before_adjustment;
-  const gait_state::GaitType type = gait_state::type_of(record.gait.state);
+  const int ccn = record.decision.gait.ccn_before_adjustment;
+  const gait_state::GaitType type = gait_state::type_of(record.decision.gait.state);
   if (gait_.empty() || gait_.back().ccn != ccn || gait_.back().type != type)
     gait_.push_back({time, time, ccn, type});
   else
@@ -102,9 +102,9 @@ void write_genghis_trace_row(std::ostream& out, const GenghisRecord& record,
   std::string row =
       fmt::format("{:.4f},{:.6f},{:.6f},{:.6f},{:d},{},{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f}",
                   record.measurement.time, truth.p_WB.x(), truth.p_WB.y(), truth.pitch,
-                  truth.body_touches_ground, record.gait.ccn_before_adjustment,
-                  gait_state::to_string(record.gait.state), record.advance_goal, record.to_come,
-                  record.v_body.x(), record.v_body.y(), record.pitch_rate);
+                  truth.body_touches_ground, record.decision.gait.ccn_before_adjustment,
+                  gait_state::to_string(record.decision.gait.state), record.advance_goal,
+                  record.to_come, record.v_body.x(), record.v_body.y(), record.pitch_rate);
   for (LegId i = 0; i < kGenghisLegs; ++i) {
     const sim2d::GenghisJoints& q = record.measurement.q[i];
     const sim2d::GenghisFoot& foot = truth.feet[i];

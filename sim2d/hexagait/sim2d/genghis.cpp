@@ -98,7 +98,7 @@ class Judge {
     double slip = 0.0;
     for (LegId i = 0; i < kGenghisLegs; ++i) {
       const GenghisLeg& leg = record.legs[i];
-      if (record.lifts.contains(i)) {
+      if (record.decision.lifts.contains(i)) {
         lifts_.push_back({i, truth.time});
         lifted_at_[i] = truth.time;
       }
@@ -110,8 +110,8 @@ class Judge {
       slip += truth.feet[i].slip_path;
     }
     slip_ = slip - slip_before_;
-    summary_.steps += record.lifts.size();
-    summary_.rule1_violations += record.rule1_violations.size();
+    summary_.steps += record.decision.lifts.size();
+    summary_.rule1_violations += record.decision.rule1_violations.size();
     if (gait_state::breaks_rule_1(in_air, kGenghisLegs)) summary_.neighbour_flight += dt_;
   }
 

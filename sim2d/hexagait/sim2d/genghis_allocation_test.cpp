@@ -37,7 +37,7 @@ TEST(GenghisController, NeitherAllocatesNorFreesInATick) {
       const long before = allocations + deallocations;
       const GenghisRecord& record = controller.tick(measurement);
       in_ticks += allocations + deallocations - before;
-      lifts += record.lifts.size();
+      lifts += record.decision.lifts.size();
       world.write(record.targets);
       world.read(measurement);
     }

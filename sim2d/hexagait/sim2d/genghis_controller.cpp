@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <hexagait/gait_state/ring.hpp>
 #include <hexagait/sim2d/genghis_controller.hpp>
 
 namespace hexagait::sim2d {
@@ -33,7 +32,7 @@ GenghisController::GenghisController(const GenghisModel& model, const GenghisPar
     : model_(model),
       params_(params),
       sense_of_motion_(params.backward ? -1.0 : 1.0),
-      stepper_(kGenghisLegs, kExpectedStep) {}
+      memory_(kGenghisLegs, kExpectedStep) {}
 
 void GenghisController::start(const GenghisMeasurement& measurement) {
   *this = GenghisController(model_, params_);
@@ -87,18 +86,13 @@ void GenghisController::decide() noexcept {
     record_.gait_input.airborne.set(i, !standing.contains(i));
     record_.gait_input.urgent.set(i, -ahead(i) > params_.urgent_share * reach_behind(i));
   }
-  record_.gait = latch_.update(record_.gait_input, {.tie_tolerance = params_.tie_tolerance,
-                                                    .adjustment = params_.gait.adjustment});
-  record_.lifts = stepper_.update({.time = record_.measurement.time,
-                                   .airborne = record_.gait_input.airborne,
-                                   .may_step = record_.gait.may_step & standing,
-                                   .rear_edge = params_.backward ? kFrontEdge : -1},
-                                  params_.gait.stepper);
-  record_.rule1_violations =
-      record_.lifts &
-      gait_state::neighbours_of(record_.lifts | record_.gait_input.airborne, kGenghisLegs);
+  record_.decision = gait_state::decide(
+      memory_, record_.gait_input,
+      {.time = record_.measurement.time, .rear_edge = params_.backward ? kFrontEdge : -1},
+      {.tie_tolerance = params_.tie_tolerance, .adjustment = params_.gait.adjustment},
+      params_.gait.stepper);
   for (LegId i = 0; i < kGenghisLegs; ++i)
-    if (record_.lifts.contains(i)) lift(i);
+    if (record_.decision.lifts.contains(i)) lift(i);
 }
 
 // [PC04] 4 along a straight line: support legs move back until the lags of all legs, those in the

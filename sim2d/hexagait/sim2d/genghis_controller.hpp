@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <hexagait/gait_state/decide.hpp>
 #include <hexagait/gait_state/gait_choice.hpp>
-#include <hexagait/gait_state/latch.hpp>
-#include <hexagait/gait_state/stepper.hpp>
 #include <hexagait/sim2d/genghis_model.hpp>
 #include <hexagait/sim2d/genghis_world.hpp>
 
@@ -79,9 +78,7 @@ struct GenghisRecord {
   LegArray<Vector2> feet;  ///< measured [m]
   // decide
   gait_state::GaitInput gait_input;
-  gait_state::GaitDecision gait;
-  LegSet lifts;             ///< commanded to lift now
-  LegSet rule1_violations;  ///< of those, with a neighbour that is not in support
+  gait_state::StepDecision decision;
   // adapt
   double advance_goal = 0.0;         ///< along the command, to the posture optimum [m]
   double to_come = 0.0;              ///< the same when all airborne feet are at their AEP [m]
@@ -129,8 +126,7 @@ class GenghisController {
   GenghisModel model_;
   GenghisParams params_;
   double sense_of_motion_;  ///< +1 forward, −1 backward
-  gait_state::GaitLatch latch_;
-  gait_state::Stepper stepper_;
+  gait_state::GaitMemory memory_;
   GenghisRecord record_;
 };
 

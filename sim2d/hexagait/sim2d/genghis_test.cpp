@@ -102,9 +102,9 @@ TEST(Genghis, NeverTellsTwoNeighboursToLiftTogether) {
   for (const char* gait : {"free", "unadjusted", "literal", "tripod", "wave:0.6"})
     for (const char* terrain : {"rough:0.08", "step:0.1"}) {
       const auto watch = [&](const GenghisRecord& record, const GenghisTruth&) {
-        const LegSet off = record.lifts | record.gait_input.airborne;
+        const LegSet off = record.decision.lifts | record.gait_input.airborne;
         for (LegId i = 0; i < kGenghisLegs; ++i) {
-          if (!record.lifts.contains(i)) continue;
+          if (!record.decision.lifts.contains(i)) continue;
           const auto [before, after] = gait_state::neighbours_of(i, kGenghisLegs);
           ASSERT_FALSE(off.contains(before) || off.contains(after)) << gait << " on " << terrain;
         }

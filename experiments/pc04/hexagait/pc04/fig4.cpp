@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 #include <hexagait/figures/drawing.hpp>
-#include <hexagait/pc04/gait_tables.hpp>
+#include <hexagait/pc04/judges.hpp>
 #include <hexagait/pc04/pc04.hpp>
 #include <map>
 #include <numbers>
@@ -26,12 +26,7 @@ constexpr int kLegs = 6;
 const std::map<char, std::string> kCanonical = {
     {'A', "<<<>>>"}, {'B', "<<><>>"}, {'C', "<<>><>"}, {'D', "<><><>"}};
 // By the number of legs that step together.
-constexpr std::array<const char*, 4> kColour = {"", "#2f6f9f", "#c99a2e", "#c4472b"};
-
-struct Transition {
-  GaitState from, to;
-  LegSet legs;
-};
+constexpr std::array<const char*, 4> kColour = {"", "left_side", "right_side", "accent"};
 
 std::vector<Transition> transitions() {
   std::vector<Transition> all;
@@ -76,7 +71,7 @@ std::vector<Vector2> curve(const Vector2& from, const Vector2& to, double bulge,
 }
 
 void label(figures::Drawing& drawing, const Vector2& place, int legs, double points) {
-  drawing.disc(place, 0.72 * points, "#ffffff", "#ffffff");
+  drawing.disc(place, 0.72 * points, figures::kWhite, figures::kWhite);
   drawing.text(place, std::to_string(legs),
                {.points = points, .colour = kColour[static_cast<std::size_t>(legs)], .bold = true});
 }
@@ -84,7 +79,7 @@ void label(figures::Drawing& drawing, const Vector2& place, int legs, double poi
 void node(figures::Drawing& drawing, const Vector2& place, double radius, char type,
           const std::string& state) {
   drawing.disc(place, radius, figures::type_shade(type), figures::kInk);
-  const char* const ink = type == 'D' ? "#ffffff" : figures::kInk;
+  const char* const ink = type == 'D' ? figures::kWhite : figures::kInk;
   const double shift = state.empty() ? 0.0 : 6.0;
   drawing.text(place - Vector2(0.0, shift), std::string(1, type),
                {.points = 0.45 * radius, .colour = ink, .bold = true});
@@ -165,37 +160,13 @@ figures::Drawing drawn(const std::vector<Transition>& all) {
   }
   drawing.text({50.0, 118.0}, "a   Modulo rotations of the ring",
                {.points = 11.0, .align = "left", .bold = true});
-  drawing.text({560.0, 118.0}, "b   All 20 states",
+  std::set<std::string> states;
+  for (const Transition& t : all) states.insert(to_string(t.from));
+  drawing.text({560.0, 118.0}, fmt::format("b   All {} states", states.size()),
                {.points = 11.0, .align = "left", .bold = true});
   draw_types(drawing, all);
   draw_states(drawing, all);
   return drawing;
-}
-
-// A cycle of types with one leg, or as many as said, at a time.
-bool has_cycle(const std::vector<Transition>& all, const std::string& types,
-               const std::vector<int>& legs) {
-  for (std::size_t k = 0; k < types.size(); ++k) {
-    const char from = types[k], to = types[(k + 1) % types.size()];
-    if (std::ranges::none_of(all, [&](const Transition& t) {
-          return letter(t.from) == from && letter(t.to) == to && t.legs.size() == legs[k];
-        }))
-      return false;
-  }
-  return true;
-}
-
-std::vector<Verdict> judge(const std::vector<Transition>& all) {
-  std::set<std::string> states;
-  for (const Transition& t : all) states.insert(to_string(t.from));
-  const bool keeps = std::ranges::all_of(all, [](const Transition& t) { return t.to.ccn() == 3; });
-  const bool waves = has_cycle(all, "ABC", {1, 1, 1}) && has_cycle(all, "BC", {1, 2}) &&
-                     has_cycle(all, "BCD", {1, 1, 1}) && has_cycle(all, "D", {3});
-  return {{"Steps keep the CCN", keeps,
-           fmt::format("{} transitions between {} states, all with CCN = 3", all.size(),
-                       states.size())},
-          {"The transitions of any wave gait are a subgraph", waves,
-           "A-B-C with a leg at a time, B-C with one and two, B-C-D with one, D-D with three"}};
 }
 
 }  // namespace
@@ -211,7 +182,7 @@ Outcome fig4(const ExperimentContext& context, figures::StagedFiles& files) {
       files, context.figure("fig4", 1400, 890, "Transitions between the gait states with CCN = 3",
                             "an arrow for each set of legs with priority that step together · "
                             "letters: type of state · after [PC04] Fig. 4"));
-  return {.verdicts = judge(all), .settings = {{"legs", "6"}, {"ccn", "3"}}};
+  return {.verdicts = judge_fig4(all), .settings = {{"legs", "6"}, {"ccn", "3"}}};
 }
 
 }  // namespace hexagait::experiments
