@@ -38,6 +38,10 @@ TEST_F(Cli, RefusesActionsThatAreNoneAndNamesTheNearest) {
     refuses(command + "nod --robot nobody", {"--robot", "'nobody'"});
     refuses(command + "nod --start flying", {"--start", "'flying'", "sitting"});
     refuses(command + "nod --set height", {"--set", "'height'", "NAME=VALUE"});
+    refuses(command + "height --set hieght=1",
+            {"--set", "'hieght=1'", "did you mean 'height'?", "it has height"});
+    refuses(command + "nod --set a=1", {"no placeholder 'a'", "it has none"});
+    refuses(command + "nod --start sittng", {"did you mean 'sitting'?"});
   }
   refuses("run nod --terrain swamp", {"swamp", "step:H"});
   refuses("run nod --seed x", {"--seed", "'x'"});
@@ -75,8 +79,8 @@ TEST_F(Cli, FindsWhatARobotCannotDoAndMovesNothing) {
   write("far.yaml", kFar);
   const Result check = run("check ../far.yaml");
   EXPECT_EQ(check.status, 1);
-  EXPECT_THAT(check.out, AllOf(HasSubstr("far.yaml:3:5: error: step 1, LF"), HasSubstr("reach"),
-                               HasSubstr("1 error")));
+  EXPECT_THAT(check.out, AllOf(HasSubstr("far.yaml:3:5: error: step 1, LF"),
+                               HasSubstr("mm beyond where the leg reaches"), HasSubstr("1 error")));
   const Result refused = run("run ../far.yaml");
   EXPECT_EQ(refused.status, 1);
   EXPECT_THAT(refused.out, IsEmpty());
@@ -90,6 +94,20 @@ TEST_F(Cli, FindsWhatARobotCannotDoAndMovesNothing) {
   EXPECT_EQ(json["leg"], "LF");
   EXPECT_EQ(json["step"], 1);
   EXPECT_EQ(json["fell"], false);
+}
+
+// Six steps to where the leg doesn't reach: three lines, and how many more.
+TEST_F(Cli, ShowsTheFirstFindingsOfAKindAndHowManyMoreThereAre) {
+  std::string text = kFar;
+  for (int i = 1; i < 6; ++i) text += std::string(kFar).substr(std::string("steps:\n").size());
+  write("far.yaml", text);
+  const Result result = run("check ../far.yaml");
+  EXPECT_EQ(result.status, 1);
+  EXPECT_LE(std::count(result.out.begin(), result.out.end(), '\n'), 6);
+  EXPECT_THAT(result.out, HasSubstr("../far.yaml: 3 more errors of this kind (out_of_reach); "
+                                    "hexagait check --json lists them all"));
+  const auto json = nlohmann::json::parse(run("check ../far.yaml --json").out);
+  EXPECT_GE(json["findings"].size(), 6U);
 }
 
 TEST_F(Cli, TellsACheckAsJson) {

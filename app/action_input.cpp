@@ -6,42 +6,20 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <hexagait/load/load_action.hpp>
 #include <hexagait/load/load_step_goal.hpp>
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/text/nearest_word.hpp>
 #include <hexagait/text/text_file.hpp>
+#include <hexagait/text/violations.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <hexagait/yaml/placeholders.hpp>
 #include <hexagait/yaml/yaml_tree.hpp>
 
 #include "arguments.hpp"
 
 namespace hexagait::app {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// " (did you mean 'nod'?)", or nothing if no word is near.
-std::string hint(const std::string& word, const std::vector<std::string>& known) {
-  const std::optional<std::string> meant = nearest_word(word, known);
-  return meant ? fmt::format(" (did you mean '{}'?)", *meant) : "";
-}
-
-std::string action_file(const std::string& action) {
-  const bool is_path = action.find('/') != std::string::npos || action.ends_with(".yaml") ||
-                       action.ends_with(".yml");
-  const fs::path file =
-      is_path ? fs::path(action) : shared_directory("actions") / (action + ".yaml");
-  std::error_code error;
-  if (fs::is_regular_file(file, error)) return file;
-  if (fs::exists(file, error)) throw InvalidInput(fmt::format("action '{}' is not a file", action));
-  const std::vector<std::string> known = known_actions();
-  throw InvalidInput(fmt::format(
-      "action '{}' does not exist{}; give the path of a YAML file, or one of the actions that come "
-      "with hexagait: {}",
-      action, hint(fs::path(action).stem().string(), known), fmt::join(known, ", ")));
-}
 
 std::map<std::string, std::string> placeholders(const std::vector<std::string>& set) {
   std::map<std::string, std::string> values;
@@ -54,6 +32,20 @@ std::map<std::string, std::string> placeholders(const std::vector<std::string>& 
   return values;
 }
 
+// A value that nothing in the file asks for was meant for something else.
+void check_placeholders(const std::string& text, const std::string& file,
+                        const std::map<std::string, std::string>& set) {
+  if (set.empty()) return;
+  Violations violations(file);
+  const std::vector<std::string> known = placeholder_names(parse_yaml(text, file, violations));
+  for (const auto& [name, value] : set)
+    if (std::ranges::find(known, name) == known.end())
+      throw InvalidInput(
+          fmt::format("--set is '{}={}', but {} has no placeholder '{}'{}; it has {}", name, value,
+                      file, name, did_you_mean(name, known),
+                      known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
+}
+
 // Goals of 2015 number their steps; actions have no such key.
 bool is_step_goal(const std::string& text) {
   return text.find("step_number:") != std::string::npos;
@@ -64,7 +56,10 @@ action::Action load(const std::string& file, const RobotModel& robot,
   const std::string text = read_text(file, kMaxYamlText);
   action::ActionVocabulary vocabulary;
   vocabulary.placeholders = placeholders(set);
-  if (!is_step_goal(text)) return action::parse_action(text, file, robot, vocabulary);
+  if (!is_step_goal(text)) {
+    check_placeholders(text, file, vocabulary.placeholders);
+    return action::parse_action(text, file, robot, vocabulary);
+  }
   if (!set.empty())
     throw InvalidInput(
         fmt::format("--set is '{}', but {} is a step goal of 2015, which has no "
@@ -77,7 +72,9 @@ walk::StartKind start_kind(const std::string& start) {
   if (start == "standing") return walk::StartKind::standing;
   if (start == "sitting") return walk::StartKind::sitting;
   if (start == "lying") return walk::StartKind::lying;
-  throw InvalidInput(fmt::format("--start is '{}'; it must be standing, sitting or lying", start));
+  const std::vector<std::string> words = {"standing", "sitting", "lying"};
+  throw InvalidInput(fmt::format("--start is '{}'{}; it must be standing, sitting or lying", start,
+                                 did_you_mean(start, words)));
 }
 
 WholeBodyController controller(const std::string& name) {
@@ -86,24 +83,15 @@ WholeBodyController controller(const std::string& name) {
     if (name == to_string(known)) return known;
     words.emplace_back(to_string(known));
   }
-  throw InvalidInput(fmt::format("--controller is '{}'{}; it must be {}", name, hint(name, words),
-                                 fmt::join(words, " or ")));
+  throw InvalidInput(fmt::format("--controller is '{}'{}; it must be {}", name,
+                                 did_you_mean(name, words), fmt::join(words, " or ")));
 }
 
 }  // namespace
 
-std::vector<std::string> known_actions() {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (const fs::directory_entry& file : fs::directory_iterator(shared_directory("actions"), error))
-    if (file.path().extension() == ".yaml") names.push_back(file.path().stem());
-  std::ranges::sort(names);
-  return names;
-}
-
 ActionInput action_input(const ActionArguments& arguments) {
   ActionInput input;
-  input.file = action_file(arguments.action);
+  input.file = shared_file("action", arguments.action, "actions", ".yaml");
   input.robot = load_urdf(robot_file(arguments.robot));
   input.seed = seed(arguments.seed);
   input.terrain = sim3d::parse_terrain(arguments.terrain);

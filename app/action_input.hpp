@@ -41,7 +41,4 @@ struct ActionInput {
 [[nodiscard]] Preview preview(const ActionInput& input,
                               const std::function<void(const ActionRecord&)>& observe = {});
 
-/// The names of the actions that come with hexagait.
-[[nodiscard]] std::vector<std::string> known_actions();
-
 }  // namespace hexagait::app

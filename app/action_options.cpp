@@ -5,6 +5,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "arguments.hpp"
+#include "usage.hpp"
+
 namespace hexagait::app {
 namespace {
 
@@ -20,7 +23,8 @@ Examples:
 
 Nothing moves unless the whole action is free of errors (see hexagait check). Ctrl-C stops the
 action and brings the robot to a stance; a second one ends at once.
-Exit status: 0 succeeded; 1 refused, failed or fell; 2 bad usage or input; 130 Ctrl-C.)";
+Exit status: 0 succeeded; 1 refused, failed or fell; 2 bad usage or input,
+or a file or stdout that can't be written; 130 Ctrl-C.)";
 
 constexpr const char* kCheckExamples = R"(
 Examples:
@@ -33,23 +37,24 @@ Exit status: 0 no errors; 1 errors; 2 bad usage, or a file that can't be read as
 void add_common(CLI::App& command, ActionArguments& a) {
   command
       .add_option("action", a.action,
-                  fmt::format("Action file (docs/actions.md), or one of: {}",
-                              fmt::join(known_actions(), ", ")))
+                  fmt::format("Action file, or one of: {}",
+                              fmt::join(known_names("actions", ".yaml"), ", ")))
       ->type_name("FILE|NAME")
       ->required();
-  command.add_option("--robot", a.robot, "URDF file, or the name of a known robot")
+  command.add_option("--robot", a.robot, "URDF file, or a name of hexagait list robots")
       ->type_name("FILE|NAME")
       ->capture_default_str();
   command.add_option("--start", a.start, "How the robot is found: standing, sitting or lying")
       ->type_name("S")
       ->capture_default_str();
-  command.add_option("--seed", a.seed, "Seed of terrain, and of the legs that lie")
+  command.add_option("--seed", a.seed, "Seed of terrain, and of the legs that lie: 0, 1, 2, …")
       ->type_name("N")
       ->capture_default_str();
   command.add_option("--set", a.set, "Value of a placeholder of the file; may be repeated")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
   command.add_flag("--json", a.json, "Print one JSON object");
+  group(command, "Action, robot and start");
 }
 
 }  // namespace
@@ -58,7 +63,7 @@ void add_run(CLI::App& app, ActionArguments& a) {
   CLI::App* run = app.add_subcommand("run", "Carry out an action in the simulator");
   run->footer(kRunExamples);
   add_common(*run, a);
-  run->add_option("--terrain", a.terrain, "Ground: see hexagait terrains")
+  run->add_option("--terrain", a.terrain, "Ground: see hexagait list terrains")
       ->type_name("T")
       ->capture_default_str();
   run->add_option(
@@ -77,6 +82,7 @@ void add_run(CLI::App& app, ActionArguments& a) {
       ->excludes(preview);
   run->add_flag("--force", a.force, "Run it although the check finds errors")->excludes(preview);
   run->add_flag("--quiet", a.quiet, "No progress and no warnings on stderr");
+  group(*run, "Options of the run");
   run->callback([&a, preview] { a.preview = preview->count() > 0; });
 }
 
@@ -85,6 +91,7 @@ void add_check(CLI::App& app, ActionArguments& a) {
   check->footer(kCheckExamples);
   add_common(*check, a);
   check->add_flag("--quiet", a.quiet, "Only what is wrong, no verdict");
+  group(*check, "Options of the check");
 }
 
 }  // namespace hexagait::app

@@ -16,6 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr int kShownOfAKind = 3;  // what is wrong first makes more of the same
+
 std::string count(long number, const char* what) {
   return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
 }
@@ -141,9 +143,21 @@ bool has_errors(const Preview& ahead) {
 }
 
 std::string findings(const ActionReport& report) {
+  const std::vector<Finding>& all = report.ahead.findings;
+  const auto alike = [](const Finding& a, const Finding& b) {
+    return a.kind == b.kind && a.is_error == b.is_error;
+  };
   std::string text;
-  for (const Finding& finding : report.ahead.findings)
-    text += hexagait::in_words(finding, report.input->file) + "\n";
+  for (auto finding = all.begin(); finding != all.end(); ++finding) {
+    const auto is_like_it = [&](const Finding& other) { return alike(*finding, other); };
+    const auto before = std::count_if(all.begin(), finding, is_like_it);
+    if (before < kShownOfAKind) text += hexagait::in_words(*finding, report.input->file) + "\n";
+    const auto more = std::count_if(finding, all.end(), is_like_it) - 1;
+    if (before + 1 == kShownOfAKind && more > 0)
+      text += fmt::format(
+          "{}: {} more {} of this kind ({}); hexagait check --json lists them all\n",
+          report.input->file, more, finding->is_error ? "errors" : "warnings", kind(finding->kind));
+  }
   return text;
 }
 

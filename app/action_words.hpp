@@ -20,7 +20,8 @@ struct ActionReport {
 /// Would it be carried out to its end?
 [[nodiscard]] bool has_errors(const Preview& ahead);
 
-/// Every finding, a line each, as compilers write them.
+/// The first findings of every kind, a line each as compilers write them, and how many more there
+/// are: what is wrong first makes more of the same.
 [[nodiscard]] std::string findings(const ActionReport& report);
 
 /// The verdict of a check, in a line.

@@ -8,6 +8,8 @@
 #include <charconv>
 #include <cmath>
 #include <hexagait/text/invalid_input.hpp>
+#include <hexagait/text/nearest_word.hpp>
+#include <hexagait/text/quantity.hpp>
 
 namespace hexagait::app {
 namespace {
@@ -17,20 +19,22 @@ using heading_control::Turn;
 
 struct Range {
   double least, greatest;
+  Dimension dimension;
   const char* words;
 };
-constexpr Range kSeconds = {1e-3, 86400.0, "a time of 1 ms to a day, in seconds"};
-constexpr Range kDistance = {1e-3, 1e5, "a length of 1 mm to 100 km, in metres"};
-constexpr Range kPeriod = {1e-3, 86400.0, "a time of 1 ms to a day between commands, in seconds"};
-constexpr Range kStep = {1e-5, 0.05, "a time of 10 µs to 50 ms, in seconds"};
+constexpr Range kSeconds = {1e-3, 86400.0, Dimension::time, "a time of 1ms to a day, in seconds"};
+constexpr Range kDistance = {1e-3, 1e5, Dimension::length, "a length of 1mm to 100 km, in metres"};
+constexpr Range kPeriod = {1e-3, 86400.0, Dimension::time,
+                           "a time of 1ms to a day between commands, in seconds"};
+constexpr Range kStep = {1e-5, 0.05, Dimension::time, "a time of 10us to 50ms, in seconds"};
 
 double number(const char* option, const std::string& text, const Range& range) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = error == std::errc() && end == text.data() + text.size();
-  if (!whole || !(range.least <= value && value <= range.greatest))
-    throw InvalidInput(fmt::format("{} is '{}'; it must be {}", option, text, range.words));
-  return value;
+  const auto [value, problem] = parse_quantity(text, range.dimension);
+  if (problem.empty() && range.least <= value && value <= range.greatest) return value;
+  throw InvalidInput(fmt::format("{} is '{}'; it must be {}{}", option, text, range.words,
+                                 range.dimension == Dimension::time
+                                     ? ", or with a unit: s, ms, us or min"
+                                     : ", or with a unit: m, cm or mm"));
 }
 
 // Puts the name of the option before what its parser says.
@@ -68,8 +72,10 @@ gait_state::GaitChoice gait(const WalkArguments& arguments) {
   if (arguments.gait.empty()) return {};
   const auto choice = gait_state::parse_gait_choice(arguments.gait);
   if (choice) return *choice;
-  throw InvalidInput(fmt::format("--gait is '{}'; it must be {}, BETA at least 0.5 and less than 1",
-                                 arguments.gait, gait_state::kGaitChoices));
+  const std::vector<std::string> known = {"free", "unadjusted", "literal", "tripod"};
+  throw InvalidInput(
+      fmt::format("--gait is '{}'{}; it must be {}, BETA at least 0.5 and less than 1",
+                  arguments.gait, did_you_mean(arguments.gait, known), gait_state::kGaitChoices));
 }
 
 walk::Schedule schedule(const WalkArguments& arguments, std::uint64_t seed, double seconds) {
@@ -84,7 +90,7 @@ double posture_spread(const std::string& text, const RobotModel& robot) {
   for (const LegModel& leg : robot.legs) radius = std::min(radius, leg.workspace_radius);
   const std::string words =
       fmt::format("a length from 0 to {:.3g} m, the radius of the robot's workspaces", radius);
-  return number("--random-posture", text, {0.0, radius, words.c_str()});
+  return number("--random-posture", text, {0.0, radius, Dimension::length, words.c_str()});
 }
 
 // Default: the smallest number of physics steps that makes so much or more.
@@ -96,7 +102,7 @@ double control_period(const std::string& text, double physics_dt, double usual =
     throw InvalidInput(
         fmt::format("--control-period is {} s; it must be a whole number of physics steps of {} s, "
                     "such as {} s",
-                    text, physics_dt, std::max(1.0, steps) * physics_dt));
+                    period, physics_dt, std::max(1.0, steps) * physics_dt));
   return period;
 }
 
@@ -146,10 +152,11 @@ sim2d::GenghisTrial genghis_trial(const WalkArguments& arguments) {
   if (!arguments.distance.empty())
     trial.distance = number("--distance", arguments.distance, kDistance);
   if (!arguments.random_posture.empty()) {
-    constexpr Range kSpread = {0.0, 0.05, "a length from 0 to 0.05 m, half the robot's stride"};
+    constexpr Range kSpread = {0.0, 0.05, Dimension::length,
+                               "a length from 0 to 0.05 m, half the robot's stride"};
     trial.random_posture = number("--random-posture", arguments.random_posture, kSpread);
   }
-  constexpr Range kStep2d = {1e-5, 0.005, "a time of 10 µs to 5 ms, in seconds"};
+  constexpr Range kStep2d = {1e-5, 0.005, Dimension::time, "a time of 10us to 5ms, in seconds"};
   if (!arguments.physics_step.empty())
     trial.physics_dt = number("--physics-step", arguments.physics_step, kStep2d);
   trial.control_dt = control_period(arguments.control_period, trial.physics_dt, 0.005);

@@ -6,6 +6,7 @@
 #include <hexagait/recording/simulation.hpp>
 #include <hexagait/sim2d/genghis.hpp>
 #include <string>
+#include <vector>
 
 namespace hexagait::app {
 
@@ -37,9 +38,20 @@ inline constexpr const char* kGenghis = "genghis2d";
 /// A whole number of 0 or more. @throws InvalidInput
 [[nodiscard]] std::uint64_t seed(const std::string& text);
 
-/// Where robots or actions lie: beside an installed command, else in the source tree it was built
-/// from.
+/// Where robots or actions lie: in ../share/hexagait beside the command, else in the folder that the
+/// environment variable HEXAGAIT_DATA names.
 [[nodiscard]] std::filesystem::path shared_directory(const std::string& name);
+
+/// The names of what comes with hexagait, in order: the files of a suffix in a folder.
+[[nodiscard]] std::vector<std::string> known_names(const char* folder, const char* suffix);
+
+/// The file of something: a path, or a name that comes with hexagait; else a file of that name in the
+/// working directory.
+/// @param what  begins the message
+/// @param more  a name that is known besides, or empty
+/// @throws InvalidInput  if there is none, with the one that was probably meant
+[[nodiscard]] std::string shared_file(const char* what, const std::string& name, const char* folder,
+                                      const char* suffix, const std::string& more = "");
 
 /// The file of a robot: a path to a URDF, or the name of a robot that comes with hexagait.
 /// @throws InvalidInput  if there is none, with the names that there are

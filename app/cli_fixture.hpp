@@ -46,8 +46,8 @@ class Cli : public testing::Test {
   [[nodiscard]] fs::path here() const { return root_ / "here"; }
 
   pid_t start(const std::string& arguments) {
-    const std::string line = "cd '" + here().string() + "' && " + prefix_ + "exec " +
-                             HEXAGAIT_COMMAND " " + arguments + " >../out 2>../err";
+    const std::string line = "cd '" + here().string() + "' && " + prefix_ + "exec " + command_ +
+                             " >../out 2>../err " + arguments;
     std::string shell = "sh", option = "-c", command = line;
     char* const words[] = {shell.data(), option.data(), command.data(), nullptr};
     pid_t child = 0;
@@ -80,6 +80,7 @@ class Cli : public testing::Test {
     std::ofstream(root_ / name) << text;
   }
 
+  std::string command_ = HEXAGAIT_COMMAND;
   std::string prefix_;  // shell commands before it, each with its semicolon
 
  private:

@@ -12,8 +12,9 @@
 namespace hexagait::app {
 
 inline constexpr int kOk = 0;
-inline constexpr int kFailed = 1;         ///< the walk or the check failed
-inline constexpr int kBadInput = 2;       ///< bad usage or input; nothing was done
+inline constexpr int kFailed = 1;  ///< the walk or the check failed
+inline constexpr int kBadInput =
+    2;  ///< bad usage or input, or a file or stdout that can't be written
 inline constexpr int kInterrupted = 130;  ///< by Ctrl-C
 
 /// `hexagait walk`. @throws InvalidInput
@@ -30,7 +31,7 @@ int run_command(const ActionArguments& arguments);
 
 /// `hexagait experiment` as it was typed.
 struct ExperimentArguments {
-  std::string name = "all";
+  std::string name;  ///< empty: only the list
   std::string out = "results";
   std::string title = "auto";  ///< of the figures; or none
   bool list = false, short_form = false, json = false, quiet = false;
@@ -56,7 +57,7 @@ int robot_command(const std::string& robot, bool json);
 /// `hexagait verify`: 0 if all theorems hold.
 int verify_command(bool as_json, bool quiet);
 
-/// `hexagait terrains`.
-int terrains_command();
+/// `hexagait list WHAT`. @throws InvalidInput  if there is no such list
+int list_command(const std::string& what, bool json);
 
 }  // namespace hexagait::app

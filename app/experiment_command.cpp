@@ -1,16 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <hexagait/all/all.hpp>
 #include <hexagait/experiments/page.hpp>
 #include <hexagait/figures/gnuplot.hpp>
 #include <hexagait/text/invalid_input.hpp>
+#include <hexagait/text/nearest_word.hpp>
 #include <hexagait/urdf/urdf.hpp>
 
 #include "commands.hpp"
 #include "interrupt.hpp"
+#include "output.hpp"
 #include "progress.hpp"
 
 namespace hexagait::app {
@@ -19,20 +22,15 @@ namespace {
 using experiments::Experiment;
 using experiments::Manifest;
 
-int list() {
-  for (const Experiment& experiment : experiments::experiments())
-    fmt::print("{:<12} {}\n", experiment.name, experiment.title);
-  return kOk;
-}
-
 std::vector<Experiment> chosen(const std::string& name) {
   const std::vector<Experiment>& all = experiments::experiments();
   if (name == "all") return all;
   const auto found = std::ranges::find(all, name, &Experiment::name);
   if (found != all.end()) return {*found};
-  std::string names = "all";
-  for (const Experiment& experiment : all) names += ", " + experiment.name;
-  throw InvalidInput(fmt::format("the experiment is '{}'; it must be one of {}", name, names));
+  std::vector<std::string> names = {"all"};
+  for (const Experiment& experiment : all) names.push_back(experiment.name);
+  throw InvalidInput(fmt::format("the experiment is '{}'{}; it must be one of {}", name,
+                                 did_you_mean(name, names), fmt::join(names, ", ")));
 }
 
 void print(const Manifest& manifest, const std::filesystem::path& out) {
@@ -47,7 +45,7 @@ void print(const Manifest& manifest, const std::filesystem::path& out) {
 }  // namespace
 
 int experiment_command(const ExperimentArguments& arguments) {
-  if (arguments.list) return list();
+  if (arguments.list || arguments.name.empty()) return list_command("experiments", arguments.json);
   const std::vector<Experiment> selection = chosen(arguments.name);
   const RobotModel robot = load_urdf(robot_file("argos"));
   figures::require_gnuplot();
@@ -55,24 +53,27 @@ int experiment_command(const ExperimentArguments& arguments) {
 
   std::vector<Manifest> manifests;
   for (const Experiment& experiment : selection) {
-    Progress progress(1.0, Progress::Measure::share, arguments.quiet);
-    manifests.push_back(run(experiment,
-                            {.robot = &robot,
-                             .progress = [&](double share) { progress.at(share); },
-                             .stop = &interrupted,
-                             .short_form = arguments.short_form,
-                             .titles = arguments.title != "none"},
-                            arguments.out));
+    const std::string problem = write_problem([&] {
+      Progress progress(1.0, Progress::Measure::share, arguments.quiet);
+      manifests.push_back(run(experiment,
+                              {.robot = &robot,
+                               .progress = [&](double share) { progress.at(share); },
+                               .stop = &interrupted,
+                               .short_form = arguments.short_form,
+                               .titles = arguments.title != "none"},
+                              arguments.out));
+    });
+    if (!problem.empty())
+      throw InvalidInput(fmt::format("--out is '{}', in which the files of {} can't be written: {}",
+                                     arguments.out, experiment.name, problem));
     if (interrupted) return kInterrupted;
+    if (!arguments.json) print(manifests.back(), arguments.out);
   }
 
   if (arguments.name == "all") experiments::write_page(manifests, arguments.out);
 
   bool well = true;
-  for (const Manifest& manifest : manifests) {
-    well = well && manifest.is_accounted_for();
-    if (!arguments.json) print(manifest, arguments.out);
-  }
+  for (const Manifest& manifest : manifests) well = well && manifest.is_accounted_for();
   if (arguments.json) fmt::print("{}\n", to_json(manifests));
   return well ? kOk : kFailed;
 }

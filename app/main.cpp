@@ -3,101 +3,41 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <hexagait/recording/version.hpp>
 #include <hexagait/text/invalid_input.hpp>
+#include <system_error>
 
 #include "action_options.hpp"
 #include "commands.hpp"
+#include "output.hpp"
 #include "sweep_command.hpp"
+#include "usage.hpp"
+#include "walk_options.hpp"
 
 namespace hexagait::app {
 namespace {
-
-constexpr const char* kWalkExamples = R"(
-Examples:
-  hexagait walk                                     straight on, 40 s, flat ground
-  hexagait walk --radius 3 --terrain boxes:0.10     to the left over boxes of up to 10 cm
-  hexagait walk --spin cw --seconds 10              on the spot, to the right
-  hexagait walk --crab 45deg --distance 2 --json    diagonally, as one JSON object
-  hexagait walk --duty-factor 0.75                  a tetrapod wave gait
-  hexagait walk --robot genghis2d --terrain step:10cm --plot genghis.png
-                                                    Genghis II from the side
-  hexagait walk --random-commands 5 --plot walk.svg --trace walk.csv
-
-Exit status: 0 walked to the end; 1 fell, stuck or fault; 2 bad usage or input; 130 Ctrl-C.)";
-
-void add_walk(CLI::App& app, WalkArguments& a) {
-  CLI::App* walk = app.add_subcommand("walk", "Walk in the simulator, and be judged by the truth");
-  walk->footer(kWalkExamples);
-  walk->add_option("--robot", a.robot, "URDF file, or the name of a known robot")
-      ->type_name("FILE|NAME")
-      ->capture_default_str();
-
-  auto* radius = walk->add_option("--radius", a.radius, "Turning radius; > 0 left, inf straight")
-                     ->type_name("M|inf");
-  auto* crab = walk->add_option("--crab", a.crab, "Direction of motion in the body: 0.5 or 30deg")
-                   ->type_name("ANGLE");
-  auto* spin = walk->add_option("--spin", a.spin, "Turn in place")->type_name("ccw|cw");
-  auto* commands =
-      walk->add_option("--commands", a.commands, "Commands from a YAML file")->type_name("FILE");
-  auto* random = walk->add_option("--random-commands", a.random_commands,
-                                  "A random command every so many seconds")
-                     ->type_name("S");
-  auto* gait = walk->add_option("--gait", a.gait,
-                                "free (default), unadjusted, literal, tripod (waits for all legs) "
-                                "or wave:BETA")
-                   ->type_name("G");
-  walk->add_option("--duty-factor", a.duty_factor,
-                   "Wave gait: share of the time that a leg stands, 0.5 (tripod) to < 1; the same "
-                   "as --gait wave:BETA")
-      ->type_name("BETA")
-      ->excludes(gait);
-  spin->excludes(radius)->excludes(crab);
-  commands->excludes(radius)->excludes(crab)->excludes(spin);
-  random->excludes(radius)->excludes(crab)->excludes(spin)->excludes(commands);
-
-  walk->add_option("--terrain", a.terrain, "Ground: see hexagait terrains")
-      ->type_name("T")
-      ->capture_default_str();
-  walk->add_option("--seed", a.seed, "Seed of terrain, posture and commands")
-      ->type_name("N")
-      ->capture_default_str();
-  walk->add_option("--seconds", a.seconds, "Time to walk, at most")
-      ->type_name("S")
-      ->capture_default_str();
-  walk->add_option("--distance", a.distance, "Path to walk, at most")->type_name("M");
-  walk->add_option("--random-posture", a.random_posture, "Start with feet displaced by up to this")
-      ->type_name("M");
-  walk->add_flag("--no-contacts", a.no_contacts, "The controller has no contact sensors");
-  walk->add_flag("--no-joint-feedback", a.no_joint_feedback, "The controller has no joint sensors");
-  walk->add_option("--physics-step", a.physics_step, "Default 0.002")->type_name("S");
-  walk->add_option("--control-period", a.control_period,
-                   "A multiple of the physics step; default the first of 0.002 or more")
-      ->type_name("S");
-  walk->add_flag("--json", a.json, "Print one JSON object");
-  walk->add_flag("--quiet", a.quiet, "No progress on stderr");
-  walk->add_option("--plot", a.plot, "Draw the walk: .png, .svg or .pdf")->type_name("FILE");
-  walk->add_option("--trace", a.trace, "Write a row per control tick: .csv")->type_name("FILE");
-}
 
 void add_experiment(CLI::App& app, ExperimentArguments& a) {
   CLI::App* experiment =
       app.add_subcommand("experiment", "Make a figure of a paper again, and test its claims");
   experiment->footer(
-      "\nExamples:\n  hexagait experiment --list\n  hexagait experiment fig9 --out results\n\n"
+      "\nWithout a name it lists the experiments; all of them take some nine minutes.\n\n"
+      "Examples:\n  hexagait experiment fig9 --out results\n  hexagait experiment all --short\n\n"
       "Exit status: 0 every claim holds, or fails within the band that is declared for it; 1 one\n"
       "does not, or holds unexpectedly; 2 bad usage or input; 130 Ctrl-C. `all` also writes "
       "index.html, a page that shows them.");
-  experiment->add_option("name", a.name, "Which: see --list")
-      ->type_name("NAME|all")
-      ->capture_default_str();
+  experiment->add_option("name", a.name, "Which: see hexagait list experiments")
+      ->type_name("NAME|all");
   experiment->add_option("--out", a.out, "Directory; a directory per experiment is made in it")
       ->type_name("DIR")
       ->capture_default_str();
   experiment->add_option("--title", a.title, "none: figures without titles, for a paper")
       ->check(CLI::IsMember({"auto", "none"}))
       ->capture_default_str();
-  experiment->add_flag("--list", a.list, "List the experiments");
+  experiment->add_flag("--list", a.list, "The same as hexagait list experiments");
   experiment->add_flag("--short", a.short_form,
                        "Some seconds each; claims that need the full length are not judged");
   experiment->add_flag("--json", a.json, "Print the verdicts as one JSON object");
@@ -177,9 +117,13 @@ void add_report(CLI::App& app, ReportArguments& a) {
   report->add_flag("--json", a.json, "Print one JSON object");
 }
 
-/// `hexagait robot` and `hexagait verify` as they were typed.
+/// `hexagait robot`, `hexagait list` and `hexagait verify` as they were typed.
 struct RobotArguments {
   std::string robot;
+  bool json = false;
+};
+struct ListArguments {
+  std::string what;
   bool json = false;
 };
 struct VerifyArguments {
@@ -188,11 +132,26 @@ struct VerifyArguments {
 
 void add_robot(CLI::App& app, RobotArguments& a) {
   CLI::App* robot = app.add_subcommand("robot", "Show what is recognised of a robot");
-  robot->add_option("robot", a.robot, "URDF file, or the name of a known robot")
+  robot->add_option("robot", a.robot, "URDF file, or a name of hexagait list robots")
       ->type_name("FILE|NAME")
       ->required();
   robot->add_flag("--json", a.json, "Print one JSON object");
-  robot->footer("\nExamples:\n  hexagait robot argos\n  hexagait robot mine.urdf --json");
+  robot->footer(
+      "\nWarns on stderr if mass and size don't go together, as those of millimetres do.\n\n"
+      "Examples:\n  hexagait robot argos\n  hexagait robot mine.urdf --json\n\n"
+      "Exit status: 0 it is a robot; 2 bad usage, or a file that is none.");
+}
+
+void add_list(CLI::App& app, ListArguments& a) {
+  CLI::App* list = app.add_subcommand("list", "List what comes with hexagait, a line each");
+  list->add_option("what", a.what, "What to list")
+      ->type_name("robots|actions|terrains|experiments")
+      ->required();
+  list->add_flag("--json", a.json, "Print one JSON array");
+  list->footer(
+      "\nRobots and actions lie in ../share/hexagait beside the command, or where HEXAGAIT_DATA "
+      "says.\n\nExamples:\n  hexagait list robots\n  hexagait list actions --json\n\n"
+      "Exit status: 0 listed; 2 bad usage.");
 }
 
 void add_verify(CLI::App& app, VerifyArguments& a) {
@@ -236,15 +195,22 @@ int run(int argc, char** argv) {
   add_robot(app, robot);
   add_verify(app, verify);
 
-  CLI::App* terrains_app = app.add_subcommand("terrains", "List the terrains");
+  ListArguments list;
+  add_list(app, list);
+  CLI::App* terrains_app = app.add_subcommand("terrains", "The same as hexagait list terrains");
   terrains_app->footer("\nExample:\n  hexagait terrains");
 
+  refuse_empty_values(app);
+  const std::span<const char* const> words(argv + 1, argv + std::max(argc, 1));
+  check_words(app, words);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked) {
     return app.exit(asked);
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "hexagait: {}; see hexagait --help\n", error.what());
+    const std::string command =
+        words.empty() || words[0][0] == '-' ? "" : fmt::format(" {}", words[0]);
+    fmt::print(stderr, "hexagait: {}; see hexagait{} --help\n", error.what(), command);
     return kBadInput;
   }
   if (app.got_subcommand("walk")) return walk_command(walk);
@@ -257,20 +223,37 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("merge")) return merge_command(merge);
   if (app.got_subcommand("report")) return report_command(report);
   if (app.got_subcommand("robot")) return robot_command(robot.robot, robot.json);
-  return terrains_command();
+  return list_command(app.got_subcommand("list") ? list.what : "terrains", list.json);
+}
+
+// Says what went wrong. What can't be written is no result, and no failed walk either.
+int run_and_tell(int argc, char** argv) {
+  std::string problem;
+  try {
+    return run(argc, argv);
+  } catch (const InvalidInput& error) {
+    problem = error.what();
+  } catch (const std::ios_base::failure&) {
+    problem = fmt::format("can't write a file: {}", std::strerror(errno));
+  } catch (const std::system_error& error) {
+    problem = error.what();
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "hexagait: {}\n", error.what());
+    return kFailed;
+  }
+  if (stdout_problem().empty()) fmt::print(stderr, "hexagait: {}\n", problem);
+  return kBadInput;
 }
 
 }  // namespace
 }  // namespace hexagait::app
 
 int main(int argc, char** argv) {
-  try {
-    return hexagait::app::run(argc, argv);
-  } catch (const hexagait::InvalidInput& error) {
-    fmt::print(stderr, "hexagait: {}\n", error.what());
-    return hexagait::app::kBadInput;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "hexagait: {}\n", error.what());
-    return hexagait::app::kFailed;
-  }
+  using namespace hexagait::app;
+  reserve_standard_descriptors();
+  const int status = run_and_tell(argc, argv);
+  const std::string problem = stdout_problem();
+  if (problem.empty()) return status;
+  fmt::print(stderr, "hexagait: can't write to standard output: {}\n", problem);
+  return kBadInput;
 }

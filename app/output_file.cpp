@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <hexagait/text/invalid_input.hpp>
 
+#include "output.hpp"
+
 namespace hexagait::app {
 
 std::optional<OutputFile> output_file(const char* option, const std::string& name,
@@ -23,6 +25,16 @@ std::optional<OutputFile> output_file(const char* option, const std::string& nam
   } catch (const InvalidInput& error) {
     throw InvalidInput(fmt::format("{} is '{}': {}", option, name, error.what()));
   }
+}
+
+void write_output(const char* option, const OutputFile& file, const std::function<void()>& write) {
+  if (const std::string problem = write_problem(write); !problem.empty())
+    refuse_output(option, file, problem);
+}
+
+void refuse_output(const char* option, const OutputFile& file, const std::string& problem) {
+  throw InvalidInput(
+      fmt::format("{} is '{}', which can't be written: {}", option, file.path.string(), problem));
 }
 
 }  // namespace hexagait::app

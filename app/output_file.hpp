@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <hexagait/figures/staged_files.hpp>
 #include <optional>
 #include <string>
@@ -19,5 +20,11 @@ struct OutputFile {
 /// @throws InvalidInput  for a wrong suffix, or a directory that can't be written
 [[nodiscard]] std::optional<OutputFile> output_file(const char* option, const std::string& name,
                                                     const std::vector<std::string>& suffixes);
+
+/// Writes the file that an option names.
+/// @throws InvalidInput  naming it and the reason if it can't be written
+void write_output(const char* option, const OutputFile& file, const std::function<void()>& write);
+[[noreturn]] void refuse_output(const char* option, const OutputFile& file,
+                                const std::string& problem);
 
 }  // namespace hexagait::app

@@ -9,6 +9,7 @@
 #include "action_words.hpp"
 #include "commands.hpp"
 #include "interrupt.hpp"
+#include "output.hpp"
 #include "output_file.hpp"
 #include "step_progress.hpp"
 
@@ -21,7 +22,7 @@ using recording::ActionRecording;
 class Figure {
  public:
   Figure(const char* option, const std::string& name)
-      : file_(output_file(option, name, {".png", ".svg", ".pdf"})) {
+      : option_(option), file_(output_file(option, name, {".png", ".svg", ".pdf"})) {
     if (file_) figures::require_gnuplot();
   }
 
@@ -32,12 +33,15 @@ class Figure {
 
   void draw(const ActionReport& report, const std::string& headline, const std::string& subtitle) {
     if (!file_ || recording_.samples().empty()) return;
-    draw_action(file_->files, {file_->path.stem(), file_->path.extension(), headline, subtitle},
-                recording_, report.input->robot);
-    file_->files.publish();
+    write_output(option_, *file_, [&] {
+      draw_action(file_->files, {file_->path.stem(), file_->path.extension(), headline, subtitle},
+                  recording_, report.input->robot);
+      file_->files.publish();
+    });
   }
 
  private:
+  const char* option_;
   std::optional<OutputFile> file_;
   ActionRecording recording_;
 };
@@ -48,9 +52,8 @@ int preview_command(const ActionArguments& arguments) {
   const ActionInput input = action_input(arguments);
   ActionReport report{.input = &input, .ahead = {}, .summary = {}};
   report.ahead = preview(input, [&](const ActionRecord& record) { figure.observe(record); });
-  fmt::print("{}", arguments.json ? check_json(report) + "\n"
-                                  : findings(report) + check_verdict(report) + "\n");
-  std::fflush(stdout);
+  print_out(arguments.json ? check_json(report) + "\n"
+                           : findings(report) + check_verdict(report) + "\n");
   figure.draw(report, check_verdict(report), "Preview: ground as every foot expects it");
   return has_errors(report.ahead) ? kFailed : kOk;
 }
@@ -96,8 +99,7 @@ int run_command(const ActionArguments& arguments) {
 
   report.summary = simulate(input, report.ahead.seconds, figure, arguments.quiet);
   report.interrupted = count_interrupts() > 0;
-  fmt::print("{}", arguments.json ? run_json(report) + "\n" : run_in_words(report));
-  std::fflush(stdout);
+  print_out(arguments.json ? run_json(report) + "\n" : run_in_words(report));
   figure.draw(report, run_headline(report), "Simulated: the true paths");
   if (report.interrupted) return kInterrupted;
   return report.summary.ok() ? kOk : kFailed;

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fmt/format.h>
-
 #include <hexagait/figures/gnuplot.hpp>
 #include <hexagait/recording/trace.hpp>
 #include <hexagait/recording/walk_figure.hpp>
@@ -9,6 +7,7 @@
 
 #include "commands.hpp"
 #include "interrupt.hpp"
+#include "output.hpp"
 #include "output_file.hpp"
 #include "progress.hpp"
 #include "words.hpp"
@@ -29,25 +28,32 @@ class Writer {
     if (plot_) figures::require_gnuplot();
     if (!trace_) return;
     rows_ = trace_->files.open(trace_->path.filename());
-    recording::write_trace_header(rows_, robot);
+    problem_ = write_problem([&] { recording::write_trace_header(rows_, robot); });
   }
 
+  // What can't be written is told in the end: the walk goes on, and its summary is shown.
   void observe(const footstep_gen::TickRecord& record, const GroundTruth& truth,
                const walk::Referee& referee) {
     if (plot_) recording_.observe(record, truth, referee);
-    if (trace_) recording::write_trace_row(rows_, record, truth, referee);
+    if (trace_ && problem_.empty())
+      problem_ = write_problem([&] { recording::write_trace_row(rows_, record, truth, referee); });
   }
 
+  /// @throws InvalidInput  naming the file that could not be written
   void finish(const WalkReport& report) {
-    if (trace_) {
+    if (plot_)
+      write_output("--plot", *plot_, [&] {
+        draw_walk(plot_->files,
+                  {plot_->path.stem(), plot_->path.extension(), headline(report), subtitle(report)},
+                  recording_, robot_);
+        plot_->files.publish();
+      });
+    if (!trace_) return;
+    if (!problem_.empty()) refuse_output("--trace", *trace_, problem_);
+    write_output("--trace", *trace_, [&] {
       rows_.close();
       trace_->files.publish();
-    }
-    if (!plot_) return;
-    draw_walk(plot_->files,
-              {plot_->path.stem(), plot_->path.extension(), headline(report), subtitle(report)},
-              recording_, robot_);
-    plot_->files.publish();
+    });
   }
 
  private:
@@ -55,6 +61,7 @@ class Writer {
   std::optional<OutputFile> plot_, trace_;
   recording::Recording recording_;
   std::ofstream rows_;
+  std::string problem_;  // why the trace could not be written any further
 };
 
 }  // namespace
@@ -79,11 +86,10 @@ int walk_command(const WalkArguments& arguments) {
     report.summary = simulate(robot, report.simulation, observe, &interrupted);
   }
   report.interrupted = interrupted;
-  fmt::print("{}", arguments.json ? to_json(report) + "\n" : in_words(report));
-  std::fflush(stdout);
+  print_out(arguments.json ? to_json(report) + "\n" : in_words(report));
   writer.finish(report);
   if (report.interrupted) return kInterrupted;
-  return report.summary.ok() ? kOk : kFailed;
+  return report.summary.ok() && arrived(report) ? kOk : kFailed;
 }
 
 }  // namespace hexagait::app

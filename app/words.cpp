@@ -48,6 +48,8 @@ std::string ending(const WalkReport& report) {
   if (s.stuck) return "Stuck, no progress for 10 s: " + so_far;
   if (s.fault != footstep_gen::Fault::none)
     return fmt::format("Stopped by a fault ({}): {}", footstep_gen::to_string(s.fault), so_far);
+  if (!arrived(report))
+    return fmt::format("Did not arrive at {:.3g} m: {}", report.simulation.trial.distance, so_far);
   return "";
 }
 
@@ -95,6 +97,10 @@ std::string headline(const WalkReport& report) {
   }
   return sentence +
          fmt::format("; never more than {} off the commanded path.", length(s.lateral_max));
+}
+
+bool arrived(const WalkReport& report) {
+  return report.summary.arrived || !std::isfinite(report.simulation.trial.distance);
 }
 
 std::string subtitle(const WalkReport& report) {

@@ -19,6 +19,9 @@ namespace hexagait::app {
 [[nodiscard]] std::string headline(const recording::WalkReport& report);
 [[nodiscard]] std::string subtitle(const recording::WalkReport& report);
 
+/// It reached the distance asked for, or none was asked for.
+[[nodiscard]] bool arrived(const recording::WalkReport& report);
+
 /// What was recognised of a robot, for a person.
 [[nodiscard]] std::string in_words(const RobotModel& robot);
 

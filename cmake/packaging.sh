@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # What `./check --all` does about switches, installed headers and packages; sourced by it.
+# shellcheck shell=bash disable=SC2154  # $note is set by step, in setup.sh
 
 kPrefix=build/installed
 kComponents=(controller urdf actions verify sim sim2d sim3d walk statistics figures recording sweeps)
@@ -21,7 +22,7 @@ hide_but() {
   done
   rm -rf build/visible
   mkdir -p build/visible
-  for library in eigen3 ${*/urdfdom/urdfdom console_bridge}; do
+  for library in eigen3 console_bridge "$@"; do
     for file in /usr/{lib,lib/*,share}/pkgconfig/"$library"*.pc; do
       [[ ! -f $file ]] || sed "s|\${pcfiledir}|${file%/*}|" "$file" >"build/visible/${file##*/}"
     done

@@ -12,6 +12,7 @@
 #include <hexagait/text/invalid_input.hpp>
 #include <iterator>
 #include <sstream>
+#include <system_error>
 #include <utility>
 
 namespace hexagait::figures {
@@ -52,6 +53,18 @@ void name_fonts(const fs::path& svg) {
     for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += better.size())
       text.replace(at, old.size(), better);
   std::ofstream(svg, std::ios::binary) << text;
+}
+
+// gnuplot does not notice that the disk is full.
+void require_whole(const fs::path& figure) {
+  const std::string suffix = figure.extension();
+  const std::string end = suffix == ".svg" ? "</svg>" : suffix == ".pdf" ? "%%EOF" : "IEND";
+  std::ifstream file(figure, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (text.rfind(end) == std::string::npos)
+    throw std::system_error(
+        std::make_error_code(std::errc::io_error),
+        "gnuplot left " + figure.filename().string() + " incomplete; is the disk full?");
 }
 
 constexpr const char* kTerminals = R"(
@@ -106,7 +119,7 @@ void require_gnuplot() {
 void run_gnuplot(const fs::path& directory, const std::string& script, const std::string& figure) {
   if (spawn_gnuplot(directory, "figure=" + quoted(figure), script) == 0) {
     if (figure.ends_with(".svg")) name_fonts(directory / figure);
-    return;
+    return require_whole(directory / figure);
   }
   std::ifstream log(directory / kLog);
   const std::string said{std::istreambuf_iterator<char>(log), {}};

@@ -3,10 +3,11 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <hexagait/sim/height.hpp>
 #include <hexagait/sim/random.hpp>
 #include <hexagait/sim2d/terrain2d.hpp>
 #include <hexagait/text/invalid_input.hpp>
+#include <hexagait/text/nearest_word.hpp>
+#include <hexagait/text/quantity.hpp>
 
 namespace hexagait::sim2d {
 namespace {
@@ -33,9 +34,10 @@ constexpr std::array<Name, 3> kNames = {
 }
 
 double height_of(std::string_view text, std::string_view height) {
-  const ParsedHeight parsed = parse_height(height);
-  if (!parsed.problem.empty()) refuse(text, parsed.problem);
-  return parsed.metres;
+  const auto [metres, problem] = parse_quantity(height, Dimension::length);
+  if (!problem.empty()) refuse(text, problem);
+  if (metres < 0.0) refuse(text, "the height must not be negative");
+  return metres;
 }
 
 }  // namespace
@@ -58,7 +60,8 @@ TerrainSpec2d parse_terrain2d(std::string_view text) {
     if (colon == std::string_view::npos) refuse(text, "the height is missing");
     return {name.kind, height_of(text, text.substr(colon + 1))};
   }
-  refuse(text, "unknown kind");
+  const std::vector<std::string> kinds = {"flat", "rough", "step", "steps"};
+  refuse(text, "unknown kind" + did_you_mean(text.substr(0, colon), kinds));
 }
 
 std::string to_string(const TerrainSpec2d& spec) {

@@ -4,10 +4,11 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <hexagait/sim/height.hpp>
 #include <hexagait/sim/random.hpp>
 #include <hexagait/sim3d/terrain.hpp>
 #include <hexagait/text/invalid_input.hpp>
+#include <hexagait/text/nearest_word.hpp>
+#include <hexagait/text/quantity.hpp>
 
 namespace hexagait::sim3d {
 namespace {
@@ -33,9 +34,10 @@ constexpr std::array kHighKinds = {HighKind{"boxes", TerrainSpec::Kind::boxes},
 }
 
 double height_of(std::string_view text, std::string_view height) {
-  const ParsedHeight parsed = parse_height(height);
-  if (!parsed.problem.empty()) refuse(text, parsed.problem);
-  return parsed.metres;
+  const auto [metres, problem] = parse_quantity(height, Dimension::length);
+  if (!problem.empty()) refuse(text, problem);
+  if (metres < 0.0) refuse(text, "the height must not be negative");
+  return metres;
 }
 
 int floor_divide(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
@@ -57,7 +59,10 @@ TerrainSpec parse_terrain(std::string_view text) {
   const std::string_view kind = text.substr(0, colon);
   if (text == "flat") return {};
   const auto known = std::ranges::find(kHighKinds, kind, &HighKind::name);
-  if (known == kHighKinds.end()) refuse(text, "unknown kind");
+  if (known == kHighKinds.end()) {
+    const std::vector<std::string> kinds = {"flat", "boxes", "steps", "step"};
+    refuse(text, "unknown kind" + did_you_mean(kind, kinds));
+  }
   if (colon == std::string_view::npos) refuse(text, "the height is missing");
 
   TerrainSpec spec;

@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <hexagait/sim/random.hpp>
 #include <hexagait/text/invalid_input.hpp>
+#include <hexagait/text/quantity.hpp>
+#include <hexagait/text/text_file.hpp>
 #include <hexagait/walk/schedule.hpp>
+#include <hexagait/yaml/yaml_reader.hpp>
 #include <optional>
 
 namespace hexagait::walk {
@@ -18,85 +19,69 @@ using heading_control::Heading;
 using heading_control::Turn;
 
 constexpr std::string_view kKeys[] = {"at", "radius", "crab", "spin", "stop", "duty_factor"};
+constexpr YamlKeys kCommandMap = {"command", kKeys};
+constexpr NumberRule kTime = {NumberRule::Bound::not_negative, Dimension::time};
+const std::vector<std::string> kSpins = {"ccw", "cw"};
 
-std::optional<double> number(std::string_view text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || std::isnan(value)) return {};
-  return value;
+// What `parse` makes of the text of a value; refused with what it says against it.
+double read(YamlReader& yaml, const std::optional<YamlField>& field, double otherwise,
+            double (*parse)(const std::string&)) {
+  const std::optional<std::string> text = field ? yaml.text(*field) : std::nullopt;
+  if (!text) return otherwise;
+  try {
+    return parse(*text);
+  } catch (const InvalidInput& error) {
+    yaml.refuse(field->mark, fmt::format("{}: {}", field->key, error.what()));
+    return otherwise;
+  }
 }
 
-// Collects what is wrong with a file, each finding with its line.
-class Findings {
- public:
-  explicit Findings(std::string path) : path_(std::move(path)) {}
-  void add(const YAML::Mark& mark, const std::string& problem) {
-    text_ += fmt::format("{}{}:{}: {}", text_.empty() ? "" : "\n", path_, mark.line + 1, problem);
-  }
-  void throw_if_any() const {
-    if (!text_.empty()) throw InvalidInput(text_);
-  }
-
- private:
-  std::string path_, text_;
-};
-
-std::string scalar(const YAML::Node& node) {
-  return node.IsScalar() ? node.Scalar() : "(no value)";
-}
-
-Heading read_heading(const YAML::Node& node) {
-  if (node["stop"]) {
-    if (scalar(node["stop"]) != "true")
-      throw InvalidInput(
-          fmt::format("stop is '{}'; only 'true' means something", scalar(node["stop"])));
+Heading read_heading(YamlReader& yaml, const YamlFields& fields) {
+  const auto spin = yaml.find(fields, "spin"), stop = yaml.find(fields, "stop"),
+             radius = yaml.find(fields, "radius");
+  if ((spin ? 1 : 0) + (stop ? 1 : 0) + (radius ? 1 : 0) > 1)
+    yaml.refuse(fields.mark, "radius, spin and stop exclude each other");
+  if (stop) {
+    if (!yaml.flag_or(fields, "stop", true))
+      yaml.refuse(*stop, "true; a command that does not stop says where to go instead");
     return Heading::stop();
   }
-  if (node["spin"]) {
-    const std::string spin = scalar(node["spin"]);
-    if (spin != "ccw" && spin != "cw")
-      throw InvalidInput(fmt::format("spin is '{}'; it must be 'ccw' or 'cw'", spin));
-    return Heading::spin(spin == "ccw" ? Turn::ccw : Turn::cw);
-  }
-  const double crab = node["crab"] ? parse_angle(scalar(node["crab"])) : 0.0;
-  const double radius = node["radius"] ? parse_radius(scalar(node["radius"]))
-                                       : std::numeric_limits<double>::infinity();
-  return Heading::arc(radius, crab);
+  if (spin) return Heading::spin(yaml.word(*spin, kSpins) == 1 ? Turn::cw : Turn::ccw);
+  return Heading::arc(read(yaml, radius, std::numeric_limits<double>::infinity(), parse_radius),
+                      read(yaml, yaml.find(fields, "crab"), 0.0, parse_angle));
 }
 
-std::optional<double> read_duty_factor(const YAML::Node& node) {
-  if (!node["duty_factor"]) return {};
-  const std::string text = scalar(node["duty_factor"]);
-  const std::optional<double> value = number(text);
-  if (!value || !(0.5 <= *value && *value < 1.0))
-    throw InvalidInput(
-        fmt::format("duty_factor is '{}'; it must be at least 0.5 (tripod) and less than 1", text));
-  return value;
+std::optional<double> read_duty_factor(YamlReader& yaml, const YamlFields& fields) {
+  const std::optional<YamlField> field = yaml.find(fields, "duty_factor");
+  if (!field) return {};
+  const YamlNode& node = yaml.node(field->node);
+  const auto [value, problem] = parse_quantity(node.text, Dimension::number);
+  if (node.is_scalar() && problem.empty() && 0.5 <= value && value < 1.0) return value;
+  yaml.refuse(*field, "at least 0.5 (tripod) and less than 1");
+  return {};
 }
 
 // A command of nothing but a duty factor keeps the heading of the one before.
-TimedCommand read_command(const YAML::Node& node, const Heading& before) {
-  if (!node.IsMap()) throw InvalidInput("a command must be a map such as {at: 0, radius: 1.5}");
-  int kinds = 0, headings = 0;
-  for (const auto& entry : node) {
-    const std::string key = scalar(entry.first);
-    if (std::find(std::begin(kKeys), std::end(kKeys), key) == std::end(kKeys))
-      throw InvalidInput(
-          fmt::format("unknown key '{}'; there are at, radius, crab, spin, stop and "
-                      "duty_factor",
-                      key));
-    kinds += key == "spin" || key == "stop" || key == "radius";
-    headings += key != "at" && key != "duty_factor";
+TimedCommand read_command(YamlReader& yaml, const YamlField& item, const Schedule& before) {
+  const YamlFields fields = yaml.fields(item, kCommandMap);
+  if (!yaml.node(item.node).is_map()) return {};
+  TimedCommand command;
+  if (const auto at = yaml.require(fields, "at")) {
+    const std::optional<double> time = yaml.number(*at, kTime);
+    command.time = time.value_or(0.0);
+    if (time && !before.empty() && *time <= before.back().time)
+      yaml.refuse(at->mark, fmt::format("at: {} s is not later than the command before, at {} s",
+                                        *time, before.back().time));
   }
-  if (kinds > 1) throw InvalidInput("radius, spin and stop exclude each other");
-  if (!node["at"]) throw InvalidInput("'at', the time of the command in seconds, is missing");
-  const std::string at = scalar(node["at"]);
-  const std::optional<double> time = number(at);
-  if (!time || !std::isfinite(*time) || *time < 0.0)
-    throw InvalidInput(fmt::format("at is '{}'; it must be a time of 0 s or more", at));
-  const std::optional<double> duty_factor = read_duty_factor(node);
-  const bool keeps = duty_factor && headings == 0;
-  return {*time, keeps ? before : read_heading(node), duty_factor};
+  command.duty_factor = read_duty_factor(yaml, fields);
+  const auto is_heading = [](const YamlField& f) {
+    return f.key != "at" && f.key != "duty_factor";
+  };
+  if (!command.duty_factor || std::ranges::any_of(fields.fields, is_heading))
+    command.heading = read_heading(yaml, fields);
+  else
+    command.heading = before.empty() ? Heading::straight(0.0) : before.back().heading;
+  return command;
 }
 
 }  // namespace
@@ -109,32 +94,18 @@ const TimedCommand& command_at(const Schedule& schedule, double time) {
 }
 
 Schedule load_schedule(const std::string& path) {
-  YAML::Node root;
-  try {
-    root = YAML::LoadFile(path);
-  } catch (const YAML::BadFile&) {
-    throw InvalidInput(fmt::format("{}: can't be read; a YAML list of commands is expected", path));
-  } catch (const YAML::ParserException& error) {
-    throw InvalidInput(fmt::format("{}:{}: not YAML: {}", path, error.mark.line + 1, error.msg));
-  }
-  if (!root.IsSequence() || root.size() == 0)
-    throw InvalidInput(
-        fmt::format("{}: must be a list of commands such as - {{at: 0, radius: 1.5}}", path));
-
+  Violations violations(path);
+  const YamlTree tree = parse_yaml(read_text(path, kMaxYamlText), path, violations);
+  YamlReader yaml(tree, violations);
+  const YamlNode& root = yaml.node(0);
+  if (!root.is_list() || root.children.empty())
+    yaml.stop(root.mark,
+              fmt::format("is {}; it must be a list of commands such as - {{at: 0, radius: 1.5}}",
+                          in_words(root)));
   Schedule schedule;
-  Findings findings(path);
-  for (const YAML::Node& node : root) {
-    try {
-      const Heading before = schedule.empty() ? Heading::straight(0.0) : schedule.back().heading;
-      schedule.push_back(read_command(node, before));
-      if (schedule.size() > 1 && schedule.back().time <= schedule[schedule.size() - 2].time)
-        throw InvalidInput(
-            fmt::format("at is {} s, not later than the command before", schedule.back().time));
-    } catch (const std::exception& error) {
-      findings.add(node.Mark(), error.what());
-    }
-  }
-  findings.throw_if_any();
+  for (const YamlField& item : yaml.list({"command", 0, root.mark}))
+    schedule.push_back(read_command(yaml, item, schedule));
+  violations.throw_if_any();
   return schedule;
 }
 
@@ -155,31 +126,22 @@ Schedule random_schedule(std::uint64_t seed, double period, double seconds) {
 }
 
 double parse_angle(const std::string& text) {
-  std::string_view digits = text;
-  double unit = 1.0;
-  if (digits.ends_with("deg")) {
-    digits.remove_suffix(3);
-    unit = std::numbers::pi / 180.0;
-  } else if (digits.ends_with("rad")) {
-    digits.remove_suffix(3);
-  }
-  const std::optional<double> value = number(digits);
-  if (!value || !std::isfinite(*value))
-    throw InvalidInput(
-        fmt::format("'{}' is not an angle; write for example 0.5, 0.5rad or 30deg", text));
-  return *value * unit;
+  const auto [value, problem] = parse_quantity(text, Dimension::angle);
+  if (!problem.empty()) throw InvalidInput(problem);
+  return value;
 }
 
 double parse_radius(const std::string& text) {
-  const std::optional<double> value = number(text);
-  if (!value)
-    throw InvalidInput(
-        fmt::format("'{}' is not a radius; write metres, positive to turn left and negative to "
-                    "turn right, or inf",
-                    text));
-  if (*value == 0.0)
+  constexpr double kStraight = std::numeric_limits<double>::infinity();
+  if (text == "inf" || text == "-inf") return text == "inf" ? kStraight : -kStraight;
+  const auto [value, problem] = parse_quantity(text, Dimension::length);
+  if (!problem.empty())
+    throw InvalidInput(problem +
+                       "; a radius is positive to turn left and negative to turn right, "
+                       "or inf");
+  if (value == 0.0)
     throw InvalidInput("a radius of 0 does not say which way to turn; ask for a spin, ccw or cw");
-  return *value;
+  return value;
 }
 
 }  // namespace hexagait::walk

@@ -27,12 +27,13 @@ using Schedule = std::vector<TimedCommand>;
 /// Reads a schedule from a YAML file: a list of commands, each with its time,
 ///
 ///     - {at: 0, radius: inf}                  # straight; crab: 0 if not given
-///     - {at: 5, radius: 1.5, crab: 20deg}     # arc to the left; angles in rad, or with deg
+///     - {at: 5, radius: 1.5, crab: 20deg}     # arc to the left
 ///     - {at: 9, spin: cw}
 ///     - {at: 12, duty_factor: 0.75}         # a wave gait from now on; the heading stays
 ///     - {at: 15, radius: -2, duty_factor: 0.5}
 ///     - {at: 20, stop: true}
 ///
+/// Times, radii and angles are written as for parse_quantity().
 /// @throws InvalidInput  with file, line and what would be right, for everything that is wrong
 [[nodiscard]] Schedule load_schedule(const std::string& path);
 
@@ -40,10 +41,10 @@ using Schedule = std::vector<TimedCommand>;
 /// 1/0.3 m, one in ten straight, one in ten a spin) and any crab angle.
 [[nodiscard]] Schedule random_schedule(std::uint64_t seed, double period, double seconds);
 
-/// Reads an angle such as 0.5, 0.5rad or 30deg. @throws InvalidInput
+/// Reads an angle such as 30deg, 0.5rad or 0.5; at most 2π without a unit. @throws InvalidInput
 [[nodiscard]] double parse_angle(const std::string& text);
 
-/// Reads a radius: a number in metres, or inf. @throws InvalidInput
+/// Reads a radius such as 1.5, -80cm or inf: not 0. @throws InvalidInput
 [[nodiscard]] double parse_radius(const std::string& text);
 
 }  // namespace hexagait::walk

@@ -88,37 +88,50 @@ TEST(Schedule, ReadsDutyFactorsWithAndWithoutAHeading) {
 TEST(Schedule, RefusesDutyFactorsThatNoWaveGaitHas) {
   for (const char* value : {"0.49", "1", "-0.7", "nan", "most", "''", "[0.6]"})
     EXPECT_THAT(refusal(std::string("- {at: 0}\n- {at: 1, duty_factor: ") + value + "}\n"),
-                AllOf(HasSubstr(":2: "), HasSubstr("duty_factor is"), HasSubstr("at least 0.5")));
+                AllOf(HasSubstr(":2:"), HasSubstr("duty_factor: is"), HasSubstr("at least 0.5")));
 }
 
 TEST(Schedule, RefusesEveryMistakeWithItsLineAndWhatWouldBeRight) {
   EXPECT_THAT(refusal("- {at: 0}\n- {at: 1, spin: left}\n"),
-              AllOf(HasSubstr(":2: "), HasSubstr("'left'"), HasSubstr("'ccw' or 'cw'")));
-  EXPECT_THAT(refusal("- {at: 0, radius: 0}\n"), AllOf(HasSubstr(":1: "), HasSubstr("spin")));
-  EXPECT_THAT(refusal("- {at: 0, radius: nan}\n"), AllOf(HasSubstr(":1: "), HasSubstr("'nan'")));
-  EXPECT_THAT(refusal("- {at: 0, crab: inf}\n"), AllOf(HasSubstr(":1: "), HasSubstr("30deg")));
+              AllOf(HasSubstr(":2:17: "), HasSubstr("\"left\""), HasSubstr("known: ccw, cw")));
+  EXPECT_THAT(refusal("- {at: 0, radius: 0}\n"), AllOf(HasSubstr(":1:19: "), HasSubstr("spin")));
+  EXPECT_THAT(refusal("- {at: 0, radius: nan}\n"), AllOf(HasSubstr(":1:19: "), HasSubstr("'nan'")));
+  EXPECT_THAT(refusal("- {at: 0, crab: inf}\n"), AllOf(HasSubstr(":1:17: "), HasSubstr("30deg")));
   EXPECT_THAT(refusal("- {at: 0, crab: 3turns}\n"), HasSubstr("'3turns'"));
-  EXPECT_THAT(refusal("- {at: 0, stop: maybe}\n"), HasSubstr("'maybe'"));
-  EXPECT_THAT(refusal("- {at: 0, speed: 3}\n"), HasSubstr("unknown key 'speed'"));
+  EXPECT_THAT(refusal("- {at: 0, stop: maybe}\n"), HasSubstr("\"maybe\""));
+  EXPECT_THAT(refusal("- {at: 0, speed: 3}\n"), HasSubstr("unknown key of command \"speed\""));
   EXPECT_THAT(refusal("- {at: 0, radius: 1, spin: cw}\n"), HasSubstr("exclude each other"));
-  EXPECT_THAT(refusal("- {radius: 1}\n"), HasSubstr("'at'"));
-  EXPECT_THAT(refusal("- {at: -1}\n"), HasSubstr("'-1'"));
+  EXPECT_THAT(refusal("- {radius: 1}\n"), HasSubstr("the key \"at\" is missing"));
+  EXPECT_THAT(refusal("- {at: -1}\n"), HasSubstr("at: is \"-1\""));
   EXPECT_THAT(refusal("- {at: soon}\n"), HasSubstr("'soon'"));
-  EXPECT_THAT(refusal("- {at: [1]}\n"), HasSubstr("(no value)"));
-  EXPECT_THAT(refusal("- forwards\n"), HasSubstr("must be a map"));
-  EXPECT_THAT(refusal("- {at: 3}\n- {at: 3}\n"), AllOf(HasSubstr(":2: "), HasSubstr("not later")));
+  EXPECT_THAT(refusal("- {at: [1]}\n"), HasSubstr("at: is a list of 1"));
+  EXPECT_THAT(refusal("- forwards\n"), HasSubstr("must be a map of at, radius"));
+  EXPECT_THAT(refusal("- {at: 3}\n- {at: 3}\n"),
+              AllOf(HasSubstr(":2:8: "), HasSubstr("not later")));
+}
+
+TEST(Schedule, RefusesAKeyThatStandsTwiceAndABareAngleOfDegrees) {
+  EXPECT_THAT(refusal("- {at: 0, radius: 1, radius: 2}\n"),
+              AllOf(HasSubstr(":1:22: "), HasSubstr("\"radius\" stands here a second time")));
+  EXPECT_THAT(refusal("- {at: 0, crab: 45}\n"),
+              HasSubstr("crab: '45': an angle without a unit is in radians and at most 2π; write "
+                        "45deg"));
+  EXPECT_THAT(refusal("- {at: 0, radius: 1e300}\n"), HasSubstr("out of range"));
 }
 
 TEST(Schedule, RefusesWhatIsNotAListOfCommands) {
   EXPECT_THAT(refusal(""), HasSubstr("must be a list"));
   EXPECT_THAT(refusal("at: 0\n"), HasSubstr("must be a list"));
   EXPECT_THAT(refusal("- {at: 0}\n- {at: 1"), HasSubstr("not YAML"));
-  EXPECT_THROW((void)load_schedule("/no/such/file.yaml"), InvalidInput);
+  EXPECT_THAT([] { (void)load_schedule("/no/such/file.yaml"); },
+              testing::ThrowsMessage<InvalidInput>(HasSubstr("No such file")));
+  EXPECT_THAT([] { (void)load_schedule("/"); },
+              testing::ThrowsMessage<InvalidInput>(HasSubstr("is a directory")));
 }
 
 TEST(Schedule, ListsAllMistakesAtOnce) {
   EXPECT_THAT(refusal("- {at: 0, spin: left}\n- {at: 1}\n- {at: 2, radius: 0}\n"),
-              AllOf(HasSubstr(":1: "), HasSubstr(":3: ")));
+              AllOf(HasSubstr(":1:"), HasSubstr(":3:")));
 }
 
 // A command holds from its time on, also where k · dt misses it by a rounding error.
@@ -177,19 +190,20 @@ TEST(ParseAngle, TakesRadiansAndDegrees) {
 }
 
 TEST(ParseAngle, RefusesWhatIsNotAFiniteAngle) {
-  for (const char* text : {"", "deg", "nan", "inf", "3turns", "1 deg", "1,5", "0.5 "})
+  for (const char* text : {"", "deg", "nan", "inf", "3turns", "1 deg", "1,5", "45", "1e300"})
     EXPECT_THROW((void)parse_angle(text), InvalidInput) << text;
 }
 
 TEST(ParseRadius, TakesMetresAndInfinity) {
   EXPECT_DOUBLE_EQ(parse_radius("1.5"), 1.5);
   EXPECT_DOUBLE_EQ(parse_radius("-0.2"), -0.2);
+  EXPECT_DOUBLE_EQ(parse_radius("-80cm"), -0.8);
   EXPECT_EQ(parse_radius("inf"), std::numeric_limits<double>::infinity());
   EXPECT_EQ(parse_radius("-inf"), -std::numeric_limits<double>::infinity());
 }
 
 TEST(ParseRadius, RefusesZeroAndWhatIsNotANumber) {
-  for (const char* text : {"", "0", "-0", "nan", "1m", "one"})
+  for (const char* text : {"", "0", "-0", "nan", "1deg", "one", "1e300"})
     EXPECT_THROW((void)parse_radius(text), InvalidInput) << text;
 }
 

@@ -74,31 +74,33 @@ TEST(LoadActionRefuses, WordsThatItDoesNotKnowAndNamesTheNearest) {
 
 // Four faults in one file, each on its line.
 TEST(LoadActionRefuses, EverythingAtOnce) {
-  EXPECT_EQ(refusal("steps:\n"
-                    "- step:\n"
-                    "  - base_auto: {height: -0.1}\n"
-                    "- step:\n"
-                    "  - footstep: {name: XX, target: {frame: odom, position: [0, 0]}}\n"
-                    "  - wait: {}\n"),
-            "bad.yaml:3:25: height: is \"-0.1\"; it must be a finite number of 0 or more\n"
-            "bad.yaml:5:22: unknown leg \"XX\"; known: LF, RF, LM, RM, LR, RR\n"
-            "bad.yaml:5:58: position: is a list of 2; it must be a list of 3 numbers\n"
-            "bad.yaml:6:5: wait: the key \"duration\" is missing");
+  EXPECT_EQ(
+      refusal("steps:\n"
+              "- step:\n"
+              "  - base_auto: {height: -0.1}\n"
+              "- step:\n"
+              "  - footstep: {name: XX, target: {frame: odom, position: [0, 0]}}\n"
+              "  - wait: {}\n"),
+      "bad.yaml:3:25: height: is \"-0.1\"; it must be a length such as 0.05, 5cm or 50mm, of 0 or "
+      "more\n"
+      "bad.yaml:5:22: unknown leg \"XX\"; known: LF, RF, LM, RM, LR, RR\n"
+      "bad.yaml:5:58: position: is a list of 2; it must be a list of 3 numbers\n"
+      "bad.yaml:6:5: wait: the key \"duration\" is missing");
 }
 
 TEST(LoadActionRefuses, NumbersThatAreNone) {
   const std::string target = kTarget;
   const Fault faults[] = {
-      {"base_auto: {height: .nan}", "height: is \".nan\"; it must be a finite number"},
-      {"base_auto: {height: inf}", "height: is \"inf\""},
-      {"base_auto: {height: 1e999}", "height: is \"1e999\""},
-      {"base_auto: {height: high}", "height: is \"high\""},
+      {"base_auto: {height: .nan}", "height: '.nan' is not a length such as 0.05, 5cm or 50mm"},
+      {"base_auto: {height: inf}", "height: 'inf' is not"},
+      {"base_auto: {height: 1e999}", "height: '1e999' is not"},
+      {"base_auto: {height: high}", "height: 'high' is not"},
       {"base_auto: {height: }", "height: is nothing"},
       {"base_auto: {height: [1]}", "height: is a list of 1"},
-      {"base_auto: {height: 0.1m}", "height: is \"0.1m\""},
-      {"base_auto: {height: deg(10)}", "height: is \"deg(10)\""},
+      {"base_auto: {height: 0.1s}", "height: '0.1s' is not a length"},
+      {"base_auto: {height: deg(10)}", "height: 'deg(10)' is not"},
       {"base_auto: {average_linear_velocity: 0}", "it must be a finite number of more than 0"},
-      {"base_auto: {average_angular_velocity: deg(-3)}", "it must be an angle of more than 0"},
+      {"base_auto: {average_angular_velocity: deg(-3)}", "or 0.5 (radians), of more than 0"},
       {"base_auto: {support_margin: -1}", "support_margin: is \"-1\""},
       {"base_auto: {ignore_timing_of_leg_motion: yes}", "is \"yes\"; it must be true or false"},
       {"footstep: {name: RF, average_velocity: -1, " + target + "}", "average_velocity: is \"-1\""},
@@ -108,12 +110,62 @@ TEST(LoadActionRefuses, NumbersThatAreNone) {
       {"footstep: {name: RF, surface_normal: {frame: odom, vector: [0, 0, 0]}, " + target + "}",
        "vector: is 0; a surface normal must have a direction"},
       {"joint_target: {name: RF, position: [0, deg(x), 0]}",
-       "position: is \"deg(x)\"; it must be a finite angle, such as 0.5 or deg(30)"},
+       "position: 'deg(x)' is not a finite angle such as 30deg, 0.5rad or 0.5 (radians)"},
       {"base_target: {target: {frame: odom, position: [0, 0, 0], orientation: [0, 0, 0, 1.01]}}",
        "orientation: is a quaternion of length 1.01; x, y, z, w must have length 1"},
       {"base_target: {target: {frame: odom, position: [0, 0, 0], orientation: [0, 0]}}",
        "orientation: is a list of 2; it must be a list of 3 or 4 numbers"}};
   expect_refusals(faults);
+}
+
+// Finite as they stand, but what is made of them is not: 1e200² and 1 / 1e-200⁵ overflow.
+TEST(LoadActionRefuses, NumbersOfWhichMotionsWouldOverflow) {
+  const std::string knots =
+      "end_effector_trajectory: {name: RF, trajectory: {frame: odom, knots: [";
+  const Fault faults[] = {
+      {knots + "{time: 1e200, position: [0, 0, 0]}]}}",
+       "time: '1e200' is out of range; at most 1e9"},
+      {knots + "{time: 1e-200, position: [0, 0, 0]}]}}", "time: \"1e-200\" is too small"},
+      {knots + "{time: 1, position: [0, 0, 0]}, {time: 1.0000000001, position: [0, 0, 0]}]}}",
+       "it must be later than the knot before"},
+      {knots + "{time: 1, position: [0, 0, 0], velocity: [0, -1e200, 0]}]}}",
+       "velocity: '-1e200' is out of range"},
+      {"footstep: {name: RF, target: {frame: odom, position: [1e200, 0, 0]}}",
+       "position: '1e200' is out of range"},
+      {"footstep: {name: RF, average_velocity: 1e-200, " + std::string(kTarget) + "}",
+       "average_velocity: \"1e-200\" is too small"},
+      {"joint_target: {name: RF, velocity: [1e200, 0, 0]}", "velocity: '1e200' is out of range"},
+      {"wait: {duration: 1e10}", "duration: '1e10' is out of range"}};
+  expect_refusals(faults);
+}
+
+// A curve begins where the foot, the joints or the base are: a knot at 0 would be left out.
+TEST(LoadActionRefuses, KnotsAtTimeZero) {
+  const Fault faults[] = {
+      {"end_effector_trajectory: {name: RF, trajectory: {frame: odom, knots: [{time: 0, position: "
+       "[0, 0, 0]}]}}",
+       "time: is \"0\"; it must be a time such as"},
+      {"base_trajectory: {trajectory: {frame: odom, knots: [{time: 0, position: [0, 0, 0], "
+       "orientation: [0, 0, 0]}]}}",
+       "of more than 0"},
+      {"joint_trajectory: {name: LF, trajectory: {joint_names: [LF_yaw, LF_hip, LF_knee], knots: "
+       "[{time: 0, positions: [0, 0, 0]}]}}",
+       "of more than 0"}};
+  expect_refusals(faults);
+}
+
+TEST(LoadActionRefuses, BareAnglesThatMustBeDegrees) {
+  const Fault faults[] = {
+      {"joint_target: {name: RF, position: [0, 45, 0]}",
+       "position: '45': an angle without a unit is in radians and at most 2π; write 45deg"},
+      {"base_target: {target: {frame: odom, position: [0, 0, 0], orientation: [0, 0, -90]}}",
+       "orientation: '-90': an angle without a unit is in radians"}};
+  expect_refusals(faults);
+  EXPECT_EQ(refusal_of("joint_target: {name: RF, position: [0, 45deg, 0.5rad]}"), "");
+  EXPECT_EQ(refusal_of("joint_target: {name: RF, velocity: [0, 8, 0]}"), "")
+      << "a rate may be more";
+  EXPECT_EQ(refusal_of("base_auto: {height: 30cm}"), "");
+  EXPECT_EQ(refusal_of("wait: {duration: 500ms}"), "");
 }
 
 TEST(LoadActionRefuses, WhatIsMissing) {
@@ -138,9 +190,10 @@ TEST(LoadActionRefuses, TrajectoriesThatCannotBeFollowed) {
   const std::string names = "joint_names: [LF_yaw, LF_hip, LF_knee], ";
   const Fault faults[] = {
       {base + "[]}}", "knots: is an empty list; a trajectory needs at least one knot"},
-      {base + "[{time: -1" + pose + "]}}", "time: is \"-1\"; it must be a finite number of 0"},
+      {base + "[{time: -1" + pose + "]}}",
+       "time: is \"-1\"; it must be a time such as 2, 2s, 20ms or 1min, of more than 0"},
       {base + "[{time: 1" + pose + ", {time: 1" + pose + "]}}",
-       "time: is 1; it must be later than the knot before, at 1"},
+       "time: is 1 s; it must be later than the knot before, at 1 s"},
       {base + "{}}}", "knots: is a map; it must be a list"},
       {leg + "knots: []}}", "the key \"joint_names\" is missing"},
       {leg + "joint_names: [LF_yaw, LF_hip], knots: [{time: 1, positions: [0, 0, 0]}]}}",
@@ -265,11 +318,25 @@ TEST(LoadActionRefuses, ReferencesThatMultiplyWithoutBound) {
   EXPECT_THAT(refusal(repeats), AllOf(HasSubstr("bad.yaml:"), HasSubstr("more than")));
 }
 
+// 15 repeats in one another, each with a reference to all that stands before it in its list: 2¹⁵
+// times 10 000 steps in a few kB. Read on after the first list that is too long, it takes minutes.
+TEST(LoadActionRefuses, RepeatsThatMultiplyByNestedReferences) {
+  std::string steps = "[step: [base_auto: ]]";
+  for (int i = 0; i < 15; ++i) {
+    std::string list = "[&r" + std::to_string(i);
+    list.append(" {repeat: {count: 10000, steps: ").append(steps).append("}}, *r");
+    steps = list.append(std::to_string(i)).append("]");
+  }
+  const std::string message = refusal("steps: " + steps);
+  EXPECT_THAT(message, HasSubstr("makes more than 10000 steps"));
+  EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 0) << "it stops at the first";
+}
+
 TEST(LoadActionRefuses, NoMoreThanAHundredTimes) {
   std::string text = "steps:\n- step:\n";
   for (int i = 0; i < 300; ++i) text += "  - base_auto: {height: -1}\n";
   const std::string lines = refusal(text);
-  EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 99);
+  EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 100);
 }
 
 TEST(LoadActionRefuses, FilesThatCannotBeRead) {

@@ -183,7 +183,8 @@ TEST(LoadAction, ReadsFeetInCartesianSpace) {
   EXPECT_EQ(target.average_velocity, 0.1);
   const auto trajectory = leg_command<EndEffectorTrajectory>(
       "end_effector_trajectory: {name: LF, trajectory: {frame: map, knots: ["
-      "{time: 0, position: [1, 2, 3]}, {time: 0.5, position: [1, 2, 4], velocity: [0, 0, 1]}]}}");
+      "{time: 0.25, position: [1, 2, 3]}, {time: 0.5, position: [1, 2, 4], velocity: [0, 0, "
+      "1]}]}}");
   EXPECT_EQ(trajectory.frame, kMap);
   ASSERT_EQ(trajectory.knots.size(), 2U);
   EXPECT_EQ(trajectory.knots[0].v, std::nullopt);

@@ -83,9 +83,9 @@ Direction read_old_normal(YamlReader& yaml, const ActionWords& words, const Yaml
 }
 
 // 0 is the default.
-std::optional<double> number_but_0(YamlReader& yaml, const YamlFields& fields,
-                                   std::string_view key) {
-  const double value = yaml.number_or(fields, key, 0.0, kNotNegative);
+std::optional<double> number_but_0(YamlReader& yaml, const YamlFields& fields, std::string_view key,
+                                   NumberRule rule) {
+  const double value = yaml.number_or(fields, key, 0.0, rule);
   return value > 0.0 ? std::optional(value) : std::nullopt;
 }
 
@@ -95,8 +95,9 @@ Footstep read_profile(YamlReader& yaml, const ActionWords& words, const LegMotio
   const YamlFields profile = yaml.fields(field, kSwingProfileMap);
   if (const auto target = yaml.require(profile, "target"))
     step.target = read_position(yaml, words, *target);
-  step.profile_height = number_but_0(yaml, profile, "height").value_or(step.profile_height);
-  step.duration = number_but_0(yaml, profile, "duration");
+  step.profile_height =
+      number_but_0(yaml, profile, "height", kLength).value_or(step.profile_height);
+  step.duration = number_but_0(yaml, profile, "duration", kTime);
   const std::optional<YamlField> type = yaml.find(profile, "type");
   const bool is_default =
       !type || (yaml.node(type->node).is_scalar() && yaml.node(type->node).text.empty());
@@ -126,7 +127,7 @@ LegCommand read_swing(YamlReader& yaml, const ActionWords& words,
 // A target with a duration is a trajectory of one knot.
 BaseCommand read_shift_profile(YamlReader& yaml, const ActionWords& words, const YamlField& field) {
   const YamlFields profile = yaml.fields(field, kShiftProfileMap);
-  const std::optional<double> duration = number_but_0(yaml, profile, "duration");
+  const std::optional<double> duration = number_but_0(yaml, profile, "duration", kTime);
   BaseTarget target;
   if (const auto pose = yaml.require(profile, "target")) {
     const YamlFields fields = yaml.fields(*pose, kPoseMap);

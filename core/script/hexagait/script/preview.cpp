@@ -32,7 +32,11 @@ class Examiner {
  public:
   Examiner(const RobotModel& model, const action::Action& action, const PreviewParams& params,
            Preview& preview)
-      : model_(model), action_(action), params_(params), preview_(preview) {
+      : model_(model),
+        action_(action),
+        params_(params),
+        preview_(preview),
+        farthest_(model.num_legs()) {
     preview_.least_margin = std::numeric_limits<double>::infinity();
   }
 
@@ -67,15 +71,27 @@ class Examiner {
   void look_at_leg(LegId leg, const ActionRunner& runner) {
     const LegLane& lane = runner.executor().legs()[leg];
     const bool moves = lane.phase == LegPhase::follow || lane.on_ground();
-    if (moves && !runner.executor().reachable(leg) && !beyond_.contains(leg)) {
-      beyond_.insert(leg);
-      const Vector3& p = lane.p_BF;
-      note(Finding::Kind::out_of_reach, leg,
-           "its foot's target (" + in_words(p.x()) + ", " + in_words(p.y()) + ", " +
-               in_words(p.z()) + ") m in the base is out of reach");
-    }
+    if (moves && !runner.executor().reachable(leg)) look_beyond(leg, lane.p_BF);
     if (lane.phase == LegPhase::follow && too_fast(leg, runner.executor().targets()))
       fast_.insert(leg);
+  }
+
+  // Told once per step, of the moment in which the foot is farthest from where the leg reaches.
+  void look_beyond(LegId leg, const Vector3& p_BF) {
+    const LegModel& model = model_.legs[leg];
+    const Vector3 p_BR = foot_position(model, inverse_kinematics(model, p_BF).q);
+    const double distance = (p_BF - p_BR).norm();
+    if (beyond_.contains(leg) && distance <= farthest_[leg].distance) return;
+    if (!beyond_.contains(leg)) {
+      farthest_[leg].finding = preview_.findings.size();
+      note(Finding::Kind::out_of_reach, leg, "");
+    }
+    beyond_.insert(leg);
+    farthest_[leg].distance = distance;
+    preview_.findings[farthest_[leg].finding].text =
+        where(leg) + "its foot is to be at (" + in_words(p_BF.x()) + ", " + in_words(p_BF.y()) +
+        ", " + in_words(p_BF.z()) + ") m in the base, " + millimetres(distance) +
+        " beyond where the leg reaches";
   }
 
   [[nodiscard]] bool too_fast(LegId leg, const JointTargets& targets) const {
@@ -115,11 +131,13 @@ class Examiner {
 
   void note(Finding::Kind kind, LegId leg, const std::string& text, bool is_error = true) {
     const action::Step& step = action_.steps[static_cast<std::size_t>(step_ - 1)];
-    std::string where = "step ";
-    where += std::to_string(step_);
-    if (leg >= 0) where.append(", ").append(model_.legs[leg].name);
-    preview_.findings.push_back(
-        {kind, is_error, step_, mark_of(step, leg), where.append(": ").append(text)});
+    preview_.findings.push_back({kind, is_error, step_, mark_of(step, leg), where(leg) + text});
+  }
+
+  [[nodiscard]] std::string where(LegId leg) const {
+    std::string text = "step " + std::to_string(step_);
+    if (leg >= 0) text.append(", ").append(model_.legs[leg].name);
+    return text + ": ";
   }
 
   const RobotModel& model_;
@@ -128,7 +146,12 @@ class Examiner {
   Preview& preview_;
   int step_ = 0;
   LegSet beyond_, fast_;  ///< legs already reported in this step
-  double margin_ = 0.0;   ///< least margin in this step [m]
+  struct Farthest {
+    std::size_t finding = 0;  ///< its index
+    double distance = 0.0;    ///< [m]
+  };
+  LegArray<Farthest> farthest_;  ///< of the legs in beyond_
+  double margin_ = 0.0;          ///< least margin in this step [m]
   bool refused_ = false;
   bool lies_ = false;
 };

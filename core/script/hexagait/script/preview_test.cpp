@@ -57,7 +57,8 @@ TEST(Preview, TellsHowLongAnActionTakesAndHowNarrowItGets) {
   EXPECT_EQ(result.least_margin_step, 1);
 }
 
-TEST(Preview, FindsAFootOutOfReachAndSaysWhere) {
+// The foot is to go 3 m outwards; a leg of 0.74 m that stands 0.36 m out reaches some 0.38 m of it.
+TEST(Preview, FindsAFootOutOfReachAndSaysWhereAndByHowMuch) {
   action::Step bad = step({{footstep(2, foot(2) + Vector3(0, 3, 0)), {}}});
   bad.legs[0].mark = {12, 5};
   const Preview result = play(steps({wait(0.1), bad}));
@@ -66,6 +67,7 @@ TEST(Preview, FindsAFootOutOfReachAndSaysWhere) {
   EXPECT_TRUE(finding.is_error);
   EXPECT_EQ(finding.step, 2);
   EXPECT_THAT(in_words(finding, "walk.yaml"), HasSubstr("walk.yaml:12:5: error: step 2, LM"));
+  EXPECT_THAT(finding.text, ::testing::ContainsRegex("2[56][0-9][0-9].* mm beyond where the leg"));
 }
 
 TEST(Preview, FindsAJointBeyondItsLimit) {

@@ -12,10 +12,12 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-// kitten → sitten → sittin → sitting: two letters exchanged, one put in.
-TEST(WordDistance, CountsLettersPutInLeftOutAndExchanged) {
+// kitten → sitten → sittin → sitting: two letters exchanged, one put in. Neighbours that are swapped
+// are one mistake.
+TEST(WordDistance, CountsLettersPutInLeftOutExchangedAndSwapped) {
   EXPECT_EQ(word_distance("kitten", "sitting"), 3);
-  EXPECT_EQ(word_distance("hieght", "height"), 2);
+  EXPECT_EQ(word_distance("hieght", "height"), 1);
+  EXPECT_EQ(word_distance("wlak", "walk"), 1);
   EXPECT_EQ(word_distance("", "abc"), 3);
   EXPECT_EQ(word_distance("abc", ""), 3);
   EXPECT_EQ(word_distance("abc", "abc"), 0);
@@ -24,9 +26,12 @@ TEST(WordDistance, CountsLettersPutInLeftOutAndExchanged) {
 // The definition itself, without a table.
 int distance_by_recursion(std::string_view a, std::string_view b) {
   if (a.empty() || b.empty()) return static_cast<int>(a.size() + b.size());
-  if (a[0] == b[0]) return distance_by_recursion(a.substr(1), b.substr(1));
-  return 1 + std::min({distance_by_recursion(a.substr(1), b), distance_by_recursion(a, b.substr(1)),
-                       distance_by_recursion(a.substr(1), b.substr(1))});
+  const auto rest = [&](std::size_t i, std::size_t j) {
+    return distance_by_recursion(a.substr(i), b.substr(j));
+  };
+  const int least = std::min({1 + rest(1, 0), 1 + rest(0, 1), (a[0] == b[0] ? 0 : 1) + rest(1, 1)});
+  const bool swapped = a.size() > 1 && b.size() > 1 && a[0] == b[1] && a[1] == b[0];
+  return swapped ? std::min(least, 1 + rest(2, 2)) : least;
 }
 
 TEST(WordDistance, IsThatOfItsDefinitionOnRandomWords) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <cstdio>
+#include <charconv>
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/text/violations.hpp>
 
@@ -10,15 +10,22 @@ namespace hexagait {
 void Violations::add(std::string_view element, std::string_view problem) {
   std::string line = source_;
   line.append(": ").append(element).append(": ").append(problem);
-  lines_.push_back(std::move(line));
+  add_line(std::move(line));
 }
 
 void Violations::add(const Mark& mark, std::string_view problem) {
   std::string line = source_;
   line.append(":").append(std::to_string(mark.line));
   line.append(":").append(std::to_string(mark.column)).append(": ").append(problem);
-  if (std::find(lines_.begin(), lines_.end(), line) == lines_.end())
-    lines_.push_back(std::move(line));
+  if (std::find(lines_.begin(), lines_.end(), line) == lines_.end()) add_line(std::move(line));
+}
+
+void Violations::add_line(std::string line) {
+  lines_.push_back(std::move(line));
+  if (lines_.size() < kMost) return;
+  lines_.push_back(source_ + ": these are the first " + std::to_string(kMost) +
+                   "; there may be more");
+  throw_if_any();
 }
 
 void Violations::throw_if_any() const {
@@ -30,8 +37,8 @@ void Violations::throw_if_any() const {
 
 std::string in_words(double value) {
   char text[32];
-  std::snprintf(text, sizeof(text), "%.6g", value);
-  return text;
+  // Not printf, whose decimal point is that of the locale.
+  return {text, std::to_chars(text, text + sizeof(text), value, std::chars_format::general, 6).ptr};
 }
 
 }  // namespace hexagait

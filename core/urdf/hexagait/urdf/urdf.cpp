@@ -1,17 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/model/leg_weight.hpp>
 #include <hexagait/model/serial_stance.hpp>
 #include <hexagait/model/workspace.hpp>
+#include <hexagait/text/text_file.hpp>
 #include <hexagait/urdf/detail/leg_recognition.hpp>
 #include <hexagait/urdf/detail/robot_tree.hpp>
+#include <hexagait/urdf/detail/xml_size.hpp>
 #include <hexagait/urdf/urdf.hpp>
-#include <sstream>
 
 namespace hexagait {
 namespace {
@@ -60,6 +58,18 @@ LegArray<LegModel> in_leg_order(std::vector<LegModel> legs, Violations& violatio
   return ordered;
 }
 
+/// Legs are commanded by their names.
+void refuse_equal_names(const LegArray<LegModel>& legs, Violations& violations) {
+  for (LegId i = 0; i < legs.size(); ++i)
+    for (LegId j = 0; j < i; ++j)
+      if (legs[i].name == legs[j].name)
+        violations.add("leg " + legs[i].name,
+                       "is the name of two legs, that of joint " + legs[j].joint_names[0] +
+                           " and that of joint " + legs[i].joint_names[0] +
+                           "; what the joints' names of a leg begin with must be its own, as LF in "
+                           "LF_yaw, LF_hip, LF_knee");
+}
+
 /// Recognises every chain as a leg. Counts legs only if all chains are, else one fault shows twice.
 LegArray<LegModel> recognise_legs(const RobotTree& tree, Violations& violations) {
   std::vector<LegModel> legs;
@@ -73,7 +83,38 @@ LegArray<LegModel> recognise_legs(const RobotTree& tree, Violations& violations)
                                 " legs; need an even number from 4 to " + std::to_string(kMaxLegs));
     return {};
   }
-  return in_leg_order(std::move(legs), violations);
+  LegArray<LegModel> ordered = in_leg_order(std::move(legs), violations);
+  refuse_equal_names(ordered, violations);
+  return ordered;
+}
+
+std::string degrees(double radians) {
+  return in_words(std::round(10.0 * radians * 180.0 / std::numbers::pi) / 10.0 + 0.0) + "°";
+}
+
+/// Which joints would be where beyond their limits with the foot at p_BC; if the limits are not
+/// what keeps it from there, that.
+std::string what_stops(const LegModel& leg) {
+  LegModel free = leg;
+  for (JointLimits& limits : free.limits) {
+    limits.lower = -std::numbers::pi;
+    limits.upper = std::numbers::pi;
+  }
+  const Reach reach = leg_reach(free);
+  free.min_reach = reach.min;
+  free.max_reach = reach.max;
+  const auto solution = inverse_kinematics(free, leg.p_BC);
+  if (!solution.reachable) return "the joint limits must allow it";
+  std::string text;
+  for (int i = 0; i < leg.num_joints(); ++i) {
+    const JointLimits& limits = leg.limits[i];
+    const double q = solution.q[i];
+    if (limits.lower <= q && q <= limits.upper) continue;
+    text += (text.empty() ? "joint " : ", joint ") + leg.joint_names[i] + " would be at " +
+            degrees(q) + ", its limits are " + degrees(limits.lower) + " to " +
+            degrees(limits.upper);
+  }
+  return text.empty() ? "the joint limits must allow it" : text;
 }
 
 /// Adds the workspace to a recognised leg.
@@ -97,7 +138,7 @@ void derive_workspace(LegModel& leg, Violations& violations) {
   const Vector3 p_HC = leg.X_BH.inverse() * leg.p_BC;
   violations.add("leg " + leg.name, "cannot take its nominal stance: foot " + in_words(p_HC.x()) +
                                         " m out from the yaw axis, " + in_words(-p_HC.z()) +
-                                        " m below the hip, yaw 0; the joint limits must allow it");
+                                        " m below the hip, yaw 0; " + what_stops(leg));
 }
 
 /// Mass and centre of mass in the nominal stance.
@@ -118,17 +159,7 @@ void sum_masses(RobotModel& robot) {
 }  // namespace
 
 RobotModel load_urdf(const std::string& path) {
-  std::ifstream file(path);
-  file.peek();  // fails here already if it is a directory
-  if (!file.is_open() || file.bad()) {
-    Violations violations(path);
-    violations.add("file",
-                   std::string("cannot be read (") + std::strerror(errno) + "); it must be a URDF");
-    violations.throw_if_any();
-  }
-  std::stringstream text;
-  text << file.rdbuf();
-  return parse_urdf(text.str(), path);
+  return parse_urdf(read_text(path, kMaxUrdfText, "a URDF"), path);
 }
 
 RobotModel parse_urdf(const std::string& xml, const std::string& source) {

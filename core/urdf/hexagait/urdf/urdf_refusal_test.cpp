@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <hexagait/model/robot_model.hpp>
 #include <hexagait/text/invalid_input.hpp>
@@ -124,9 +125,11 @@ TEST(ParseUrdf, RefusesImpossibleLimits) {
       {"<limit lower=\"-1.0\" upper=\"1.0\" velocity=\"8\" effort=\"120\"/>", "",
        "Joint [LF_yaw] is of type REVOLUTE but it does not specify limits", yaw},
       {"lower=\"0.0\" upper=\"2.76\"", "lower=\"0\" upper=\"1\"",
-       "leg LF: cannot take its nominal stance: foot 0.36 m out from the yaw axis, 0.3 m below",
+       "leg LF: cannot take its nominal stance: foot 0.36 m out from the yaw axis, 0.3 m below the "
+       "hip, yaw 0; joint LF_knee would be at 104.8°, its limits are 0° to 57.3°",
        knee},
-      {"lower=\"-1.0\"", "lower=\"0.2\"", "leg LF: cannot take its nominal stance", yaw},
+      {"lower=\"-1.0\"", "lower=\"0.2\"",
+       "joint LF_yaw would be at 0°, its limits are 11.5° to 57.3°", yaw},
       {"lower=\"0.0\" upper=\"2.76\"", "lower=\"-2\" upper=\"-1\"",
        "joint LF_knee: limits -2 to -1 rad never let the knee bend upwards", knee}};
   for (const Fault& fault : faults)
@@ -210,6 +213,71 @@ TEST(ParseUrdf, ListsAllViolationsAtOnceALineEach) {
       "robot.urdf: leg LM: has 2 movable joints; a leg has 3 to 6");
 }
 
+// Commands would go to the first of them.
+TEST(ParseUrdf, RefusesTwoLegsOfOneName) {
+  std::string text = argos_text();
+  int number = 0;
+  for (const std::string leg : {"LF", "RF"})
+    for (const char* joint : {"_yaw", "_hip", "_knee"})
+      text = edited(text, "joint name=\"" + leg + joint,
+                    "joint name=\"joint_" + std::to_string(++number));
+  EXPECT_EQ(
+      refusal(text),
+      "robot.urdf: leg joint: is the name of two legs, that of joint joint_1 and that of joint "
+      "joint_4; what the joints' names of a leg begin with must be its own, as LF in LF_yaw, "
+      "LF_hip, LF_knee");
+}
+
+std::string repeated(const std::string& text, int count) {
+  std::string all;
+  for (int i = 0; i < count; ++i) all += text;
+  return all;
+}
+
+// Read on, urdfdom calls itself 300 000 times, in quadratic time, until the stack is full.
+TEST(ParseUrdf, RefusesElementsThatAreNestedTooDeep) {
+  const std::string bomb = "<robot name='x'>\n" + repeated("<a>", 300'000);
+  EXPECT_EQ(refusal(bomb), "robot.urdf: URDF: line 2: elements are nested deeper than 64");
+  const auto nested = [](int depth) {
+    return edited(argos_text(), "</robot>",
+                  repeated("<a b='/>'>", depth) + repeated("</a>", depth) + "</robot>");
+  };
+  EXPECT_EQ(refusal(nested(63)), "");
+  EXPECT_THAT(refusal(nested(64)), testing::HasSubstr("nested deeper than 64"));
+}
+
+TEST(ParseUrdf, ReadsCommentsOfAnyContent) {
+  EXPECT_EQ(
+      refusal(edited(argos_text(), "</robot>", "<!-- " + repeated("<a>", 100) + "--></robot>")),
+      "");
+}
+
+TEST(ParseUrdf, RefusesMoreLinksAndElementsAndBytesThanARobotHas) {
+  std::string chain = "<robot name='x'><link name='l0'/>";
+  for (int i = 1; i <= 20'000; ++i) {
+    const std::string n = std::to_string(i), before = std::to_string(i - 1);
+    chain += "<link name='l" + n + "'/><joint name='j" + n + "' type='fixed'><parent link='l" +
+             before + "'/><child link='l" + n + "'/></joint>";
+  }
+  EXPECT_EQ(refusal(chain + "</robot>"), "robot.urdf: URDF: line 1: has more than 1000 links");
+  EXPECT_THAT(refusal("<robot name='x'>" + repeated("<a/>", 100'001) + "</robot>"),
+              testing::HasSubstr("has more than 100000 elements"));
+  EXPECT_THAT(refusal(std::string(10'000'001, ' ')),
+              testing::HasSubstr("has 10000001 bytes; at most 10000000 are read"));
+}
+
+// 999 links without a mass are not 999 lines.
+TEST(ParseUrdf, ListsAHundredViolationsAtMost) {
+  std::string text = "<robot name='x'><link name='base'/>";
+  for (int i = 0; i < 999; ++i) {
+    const std::string n = std::to_string(i);
+    text += "<link name='l" + n + "'/><joint name='j" + n +
+            "' type='floating'><parent link='base'/><child link='l" + n + "'/></joint>";
+  }
+  const std::string lines = refusal(text + "</robot>");
+  EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 100);
+}
+
 TEST(ParseUrdf, KeepsUrdfdomFromPrinting) {
   testing::internal::CaptureStderr();
   testing::internal::CaptureStdout();
@@ -219,14 +287,14 @@ TEST(ParseUrdf, KeepsUrdfdomFromPrinting) {
 }
 
 TEST(LoadUrdf, RefusesAFileThatCannotBeRead) {
-  for (const auto& [path, reason] : {std::pair("/no/such.urdf", "No such file or directory"),
-                                     std::pair(HEXAGAIT_SOURCE_DIR, "Is a directory")}) {
+  for (const auto& [path, reason] :
+       {std::pair("/no/such.urdf", "can't be read: No such file or directory"),
+        std::pair(HEXAGAIT_SOURCE_DIR, "is a directory")}) {
     try {
       (void)load_urdf(path);
       ADD_FAILURE() << path;
     } catch (const InvalidInput& error) {
-      EXPECT_EQ(error.what(),
-                std::string(path) + ": file: cannot be read (" + reason + "); it must be a URDF");
+      EXPECT_EQ(error.what(), std::string(path) + ": " + reason + "; a URDF is expected");
     }
   }
 }

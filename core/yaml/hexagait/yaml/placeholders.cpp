@@ -8,6 +8,7 @@
 #include <hexagait/yaml/placeholders.hpp>
 #include <hexagait/yaml/yaml_reader.hpp>
 #include <optional>
+#include <set>
 #include <string_view>
 
 namespace hexagait {
@@ -116,10 +117,7 @@ class Filler {
  private:
   YamlNode& at(int index) { return tree_[static_cast<std::size_t>(index)]; }
 
-  void add(const Mark& mark, const std::string& problem) {
-    violations_.add(mark, problem);
-    if (violations_.size() >= 100) violations_.throw_if_any();
-  }
+  void add(const Mark& mark, const std::string& problem) { violations_.add(mark, problem); }
 
   void read_default(const YamlNode& key, int index) {
     const std::optional<Value> value = as_value(tree_, index);
@@ -198,6 +196,24 @@ class Filler {
 };
 
 }  // namespace
+
+std::vector<std::string> placeholder_names(const YamlTree& tree) {
+  std::set<std::string> names;
+  const auto node = [&](int index) -> const YamlNode& {
+    return tree[static_cast<std::size_t>(index)];
+  };
+  const YamlNode& root = tree.front();
+  for (std::size_t i = 0; root.is_map() && i + 1 < root.children.size(); i += 2) {
+    const YamlNode& map = node(root.children[i + 1]);
+    if (node(root.children[i]).text != "placeholders" || !map.is_map()) continue;
+    for (std::size_t k = 0; k + 1 < map.children.size(); k += 2)
+      names.insert(node(map.children[k]).text);
+  }
+  for (const YamlNode& scalar : tree)
+    for (auto use = next_use(scalar.text, 0); use; use = next_use(scalar.text, use->end))
+      names.insert(use->name);
+  return {names.begin(), names.end()};
+}
 
 void fill_placeholders(YamlTree& tree, const std::map<std::string, std::string>& given,
                        Violations& violations) {

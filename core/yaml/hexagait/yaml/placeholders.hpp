@@ -6,6 +6,7 @@
 #include <hexagait/yaml/yaml_tree.hpp>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace hexagait {
 
@@ -16,5 +17,8 @@ namespace hexagait {
 /// @param given  name → YAML of its value
 void fill_placeholders(YamlTree& tree, const std::map<std::string, std::string>& given,
                        Violations& violations);
+
+/// The names of the placeholders that a document uses or has defaults for, each once, in order.
+[[nodiscard]] std::vector<std::string> placeholder_names(const YamlTree& tree);
 
 }  // namespace hexagait

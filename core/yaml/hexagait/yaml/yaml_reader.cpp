@@ -5,40 +5,19 @@
 
 #include <algorithm>
 #include <cassert>
-#include <charconv>
-#include <cmath>
+#include <cstdlib>
 #include <hexagait/text/nearest_word.hpp>
 #include <hexagait/yaml/yaml_reader.hpp>
 
 namespace hexagait {
 namespace {
 
-constexpr std::size_t kMaxViolations = 100;
-
-std::optional<double> plain_number(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return {};
-  return value;
-}
-
-std::optional<double> angle(std::string_view text) {
-  if (!text.ends_with(')')) return plain_number(text);
-  const bool degrees = text.starts_with("deg(");
-  if (!degrees && !text.starts_with("rad(")) return {};
-  const std::optional<double> value = plain_number(text.substr(4, text.size() - 5));
-  if (!value) return {};
-  return degrees ? *value * std::numbers::pi / 180.0 : *value;
-}
-
-std::string_view description(NumberRule rule) {
+std::string description(NumberRule rule) {
   using Bound = NumberRule::Bound;
-  if (rule.angle)
-    return rule.bound == Bound::positive ? "an angle of more than 0, such as 0.5 or deg(30)"
-                                         : "a finite angle, such as 0.5 or deg(30)";
-  if (rule.bound == Bound::positive) return "a finite number of more than 0";
-  return rule.bound == Bound::not_negative ? "a finite number of 0 or more" : "a finite number";
+  std::string text(expected(rule.dimension));
+  if (rule.bound == Bound::any) return text;
+  text += rule.dimension == Dimension::number ? " of " : ", of ";
+  return text + (rule.bound == Bound::positive ? "more than 0" : "0 or more");
 }
 
 bool keeps(double value, NumberRule::Bound bound) {
@@ -70,7 +49,12 @@ std::string in_words(const YamlNode& node) {
 void YamlReader::refuse(const Mark& mark, std::string_view problem) {
   ++num_refused_;
   violations_.add(mark, problem);
-  if (violations_.size() >= kMaxViolations) violations_.throw_if_any();
+}
+
+void YamlReader::stop(const Mark& mark, std::string_view problem) {
+  refuse(mark, problem);
+  violations_.throw_if_any();
+  std::abort();  // there is one
 }
 
 void YamlReader::refuse(const YamlField& field, std::string_view must_be) {
@@ -154,17 +138,28 @@ std::optional<std::string> YamlReader::text(const YamlField& field) {
 
 std::optional<double> YamlReader::number(const YamlField& field, NumberRule rule) {
   const YamlNode& scalar = node(field.node);
-  const std::optional<double> value = !scalar.is_scalar() ? std::nullopt
-                                      : rule.angle        ? angle(scalar.text)
-                                                          : plain_number(scalar.text);
-  if (value && keeps(*value, rule.bound)) return value;
-  refuse(field, description(rule));
+  if (!scalar.is_scalar()) {
+    refuse(field, description(rule));
+    return {};
+  }
+  const auto [value, problem] = parse_quantity(scalar.text, rule.dimension);
+  const bool is_tiny =
+      rule.bound != NumberRule::Bound::any && 0.0 < value && value < kSmallestQuantity;
+  if (!problem.empty())
+    refuse(field.mark, fmt::format("{}: {}", field.key, problem));
+  else if (is_tiny)
+    refuse(field.mark, fmt::format("{}: {} is too small; the least that is read is {}", field.key,
+                                   quoted(scalar.text), in_words(kSmallestQuantity)));
+  else if (!keeps(value, rule.bound))
+    refuse(field, description(rule));
+  else
+    return value;
   return {};
 }
 
 std::optional<std::vector<double>> YamlReader::numbers(const YamlField& field,
                                                        std::span<const std::size_t> counts,
-                                                       bool angles) {
+                                                       Dimension dimension) {
   const std::string must_be = fmt::format("a list of {} numbers", fmt::join(counts, " or "));
   const YamlNode& list_node = node(field.node);
   if (!list_node.is_list() ||
@@ -174,15 +169,15 @@ std::optional<std::vector<double>> YamlReader::numbers(const YamlField& field,
   }
   std::vector<double> values;
   for (const YamlField& item : list(field))
-    if (const std::optional<double> value = number(item, {.angle = angles}))
+    if (const std::optional<double> value = number(item, {.dimension = dimension}))
       values.push_back(*value);
   if (values.size() != list_node.children.size()) return {};
   return values;
 }
 
-std::optional<Vector3> YamlReader::vector(const YamlField& field, bool angles) {
+std::optional<Vector3> YamlReader::vector(const YamlField& field, Dimension dimension) {
   constexpr std::size_t kThree[] = {3};
-  const std::optional<std::vector<double>> values = numbers(field, kThree, angles);
+  const std::optional<std::vector<double>> values = numbers(field, kThree, dimension);
   if (!values) return {};
   return Vector3((*values)[0], (*values)[1], (*values)[2]);
 }
@@ -217,17 +212,15 @@ bool YamlReader::flag_or(const YamlFields& fields, std::string_view key, bool ot
 }
 
 Vector3 YamlReader::vector_or(const YamlFields& fields, std::string_view key,
-                              const Vector3& otherwise) {
+                              const Vector3& otherwise, Dimension dimension) {
   const std::optional<YamlField> field = find(fields, key);
-  return field ? vector(*field).value_or(otherwise) : otherwise;
+  return field ? vector(*field, dimension).value_or(otherwise) : otherwise;
 }
 
 void YamlReader::count(std::size_t values) {
   count_ += values;
-  if (count_ <= kMaxValues) return;
-  violations_.add(Mark{1, 1},
-                  fmt::format("has more than {} values after references are followed", kMaxValues));
-  violations_.throw_if_any();
+  if (count_ > kMaxValues)
+    stop({1, 1}, fmt::format("has more than {} values after references are followed", kMaxValues));
 }
 
 }  // namespace hexagait

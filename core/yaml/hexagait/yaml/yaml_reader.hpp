@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <hexagait/math/geometry.hpp>
+#include <hexagait/text/quantity.hpp>
 #include <hexagait/text/violations.hpp>
 #include <hexagait/yaml/yaml_tree.hpp>
 #include <optional>
@@ -34,15 +35,16 @@ struct YamlFields {
   std::vector<YamlField> fields;
 };
 
-/// What a number must be. An angle may be written deg(30).
+/// What a number must be, as written for parse_quantity(). What is more than 0 is at least
+/// kSmallestQuantity.
 struct NumberRule {
   enum class Bound : std::uint8_t { any, not_negative, positive };
   Bound bound = Bound::any;
-  bool angle = false;
+  Dimension dimension = Dimension::number;
 };
 
 /// Checked access to a YAML document. What is wrong is added to the violations with its place, and
-/// reading goes on with the default, so that a user sees it all at once. After 100 violations, or
+/// reading goes on with the default, so that a user sees it all at once. After Violations::kMost, or
 /// when references multiply the document beyond kMaxValues, it ends with InvalidInput.
 class YamlReader {
  public:
@@ -59,6 +61,8 @@ class YamlReader {
   [[nodiscard]] std::size_t num_refused() const { return num_refused_; }
 
   void refuse(const Mark& mark, std::string_view problem);
+  /// Refuses it and reads no further. @throws InvalidInput  with everything refused so far
+  [[noreturn]] void stop(const Mark& mark, std::string_view problem);
   /// Refuses `found`: `key: is "found"; it must be …`.
   void refuse(const YamlField& field, std::string_view must_be);
   /// Refuses a word and names the one that was probably meant, or all that there are.
@@ -81,8 +85,9 @@ class YamlReader {
   /// As many numbers as asked for; refused and none if they are not.
   [[nodiscard]] std::optional<std::vector<double>> numbers(const YamlField& field,
                                                            std::span<const std::size_t> counts,
-                                                           bool angles);
-  [[nodiscard]] std::optional<Vector3> vector(const YamlField& field, bool angles = false);
+                                                           Dimension dimension);
+  [[nodiscard]] std::optional<Vector3> vector(const YamlField& field,
+                                              Dimension dimension = Dimension::number);
   /// The index of a word among those known.
   [[nodiscard]] std::optional<std::size_t> word(const YamlField& field,
                                                 std::span<const std::string> known);
@@ -92,7 +97,8 @@ class YamlReader {
                                  NumberRule rule);
   [[nodiscard]] bool flag_or(const YamlFields& fields, std::string_view key, bool otherwise);
   [[nodiscard]] Vector3 vector_or(const YamlFields& fields, std::string_view key,
-                                  const Vector3& otherwise);
+                                  const Vector3& otherwise,
+                                  Dimension dimension = Dimension::number);
 
   /// Counts values that were read; throws if there are too many.
   void count(std::size_t values);

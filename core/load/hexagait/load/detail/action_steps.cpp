@@ -43,9 +43,10 @@ bool is_too_much(const Amount& sum) {
   return sum.steps > kMaxSteps || sum.commands > kMaxCommands || sum.knots > kMaxKnots;
 }
 
-void refuse_too_much(YamlReader& yaml, const Mark& mark) {
-  yaml.refuse(mark, fmt::format("makes more than {} steps, {} commands or {} knots", kMaxSteps,
-                                kMaxCommands, kMaxKnots));
+// Reading on would make it all again for every reference to it.
+[[noreturn]] void stop_at_too_much(YamlReader& yaml, const Mark& mark) {
+  yaml.stop(mark, fmt::format("makes more than {} steps, {} commands or {} knots", kMaxSteps,
+                              kMaxCommands, kMaxKnots));
 }
 
 // Adds a command to its step, which has one motion per leg and one of the base.
@@ -214,10 +215,8 @@ std::vector<Step> read_repeat(YamlReader& yaml, const ActionWords& words, const 
   }
   const auto times = static_cast<std::size_t>(*count);
   const Amount sum = amount(once);
-  if (is_too_much({sum.steps * times, sum.commands * times, sum.knots * times})) {
-    refuse_too_much(yaml, fields.mark);
-    return once;
-  }
+  if (is_too_much({sum.steps * times, sum.commands * times, sum.knots * times}))
+    stop_at_too_much(yaml, fields.mark);
   for (std::size_t i = 0; i < times; ++i) all.insert(all.end(), once.begin(), once.end());
   return all;
 }
@@ -255,10 +254,7 @@ std::vector<Step> read_steps(YamlReader& yaml, const ActionWords& words, const Y
     std::vector<Step> more = read_item(yaml, words, item, nesting);
     const Amount added = amount(more);
     sum = {sum.steps + added.steps, sum.commands + added.commands, sum.knots + added.knots};
-    if (is_too_much(sum)) {
-      refuse_too_much(yaml, item.mark);
-      break;
-    }
+    if (is_too_much(sum)) stop_at_too_much(yaml, item.mark);
     std::move(more.begin(), more.end(), std::back_inserter(steps));
   }
   return steps;

@@ -7,9 +7,11 @@
 
 namespace hexagait::action {
 
-inline constexpr NumberRule kNotNegative{NumberRule::Bound::not_negative};
 inline constexpr NumberRule kPositive{NumberRule::Bound::positive};
-inline constexpr NumberRule kPositiveAngle{NumberRule::Bound::positive, true};
+inline constexpr NumberRule kPositiveTime{NumberRule::Bound::positive, Dimension::time};
+inline constexpr NumberRule kPositiveRate{NumberRule::Bound::positive, Dimension::angular_rate};
+inline constexpr NumberRule kLength{NumberRule::Bound::not_negative, Dimension::length};
+inline constexpr NumberRule kTime{NumberRule::Bound::not_negative, Dimension::time};
 
 /// The words that may stand for frames and legs.
 struct ActionWords {
@@ -39,7 +41,7 @@ struct ActionWords {
 [[nodiscard]] Direction read_normal(YamlReader& yaml, const ActionWords& words,
                                     const YamlField& field);
 
-/// The time of a knot, which must be later than the one before it: −1 before the first.
+/// The time of a knot, which must be later than the one before it: 0 before the first.
 [[nodiscard]] double read_time(YamlReader& yaml, const YamlFields& knot, double before);
 
 /// The knots of a trajectory, at least one; refused and empty otherwise.

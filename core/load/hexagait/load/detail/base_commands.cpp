@@ -12,14 +12,14 @@ namespace {
 BaseAuto read_base_auto(YamlReader& yaml, const YamlFields& options) {
   BaseAuto command;
   if (const auto height = yaml.find(options, "height"))
-    command.height = yaml.number(*height, kNotNegative);
+    command.height = yaml.number(*height, kLength);
   command.ignore_timing_of_leg_motion = yaml.flag_or(options, "ignore_timing_of_leg_motion", false);
   command.average_linear_velocity = yaml.number_or(options, "average_linear_velocity",
                                                    command.average_linear_velocity, kPositive);
   command.average_angular_velocity = yaml.number_or(
-      options, "average_angular_velocity", command.average_angular_velocity, kPositiveAngle);
+      options, "average_angular_velocity", command.average_angular_velocity, kPositiveRate);
   command.support_margin =
-      yaml.number_or(options, "support_margin", command.support_margin, kNotNegative);
+      yaml.number_or(options, "support_margin", command.support_margin, kLength);
   return command;
 }
 
@@ -34,7 +34,7 @@ BaseTarget read_base_target(YamlReader& yaml, const ActionWords& words, const Ya
   command.average_linear_velocity = yaml.number_or(options, "average_linear_velocity",
                                                    command.average_linear_velocity, kPositive);
   command.average_angular_velocity = yaml.number_or(
-      options, "average_angular_velocity", command.average_angular_velocity, kPositiveAngle);
+      options, "average_angular_velocity", command.average_angular_velocity, kPositiveRate);
   return command;
 }
 
@@ -61,7 +61,7 @@ CustomCommand read_custom(YamlReader& yaml, const ActionWords& words, const Yaml
       command.type = words.vocabulary.custom_types[*handler];
     }
   }
-  command.duration = yaml.number_or(options, "duration", command.duration, kNotNegative);
+  command.duration = yaml.number_or(options, "duration", command.duration, kTime);
   if (const auto text = yaml.find(options, "command"))
     command.command = read_command_text(yaml, *text);
   return command;
@@ -70,7 +70,7 @@ CustomCommand read_custom(YamlReader& yaml, const ActionWords& words, const Yaml
 Wait read_wait(YamlReader& yaml, const YamlFields& options) {
   Wait wait;
   if (const auto duration = yaml.require(options, "duration"))
-    wait.duration = yaml.number(*duration, kPositive).value_or(wait.duration);
+    wait.duration = yaml.number(*duration, kPositiveTime).value_or(wait.duration);
   return wait;
 }
 
@@ -85,7 +85,7 @@ BaseTrajectory read_pose_trajectory(YamlReader& yaml, const ActionWords& words,
   command.frame = read_frame(yaml, words, trajectory);
   for (const YamlField& item : read_knots(yaml, trajectory)) {
     const YamlFields fields = yaml.fields(item, kBaseKnotMap);
-    const double before = command.knots.empty() ? -1.0 : command.knots.back().time;
+    const double before = command.knots.empty() ? 0.0 : command.knots.back().time;
     command.knots.push_back({read_time(yaml, fields, before), read_pose(yaml, fields)});
   }
   return command;

@@ -31,7 +31,7 @@ Footstep read_footstep(YamlReader& yaml, const ActionWords& words, const YamlFie
   if (const auto target = yaml.require(options, "target"))
     command.target = read_position(yaml, words, *target);
   command.profile_height =
-      yaml.number_or(options, "profile_height", command.profile_height, kNotNegative);
+      yaml.number_or(options, "profile_height", command.profile_height, kLength);
   if (const auto type = yaml.find(options, "profile_type"))
     if (const auto profile = yaml.word(*type, kProfiles))
       command.profile = static_cast<SwingProfile>(*profile);
@@ -63,9 +63,9 @@ EndEffectorTrajectory read_foot_trajectory(YamlReader& yaml, const ActionWords& 
   for (const YamlField& item : read_knots(yaml, trajectory)) {
     const YamlFields fields = yaml.fields(item, kFootKnotMap);
     FootKnot knot;
-    knot.time = read_time(yaml, fields, command.knots.empty() ? -1.0 : command.knots.back().time);
+    knot.time = read_time(yaml, fields, command.knots.empty() ? 0.0 : command.knots.back().time);
     if (const auto position = yaml.require(fields, "position"))
-      knot.p = yaml.vector(*position).value_or(knot.p);
+      knot.p = yaml.vector(*position, Dimension::length).value_or(knot.p);
     if (const auto velocity = yaml.find(fields, "velocity")) knot.v = yaml.vector(*velocity);
     command.knots.push_back(knot);
   }

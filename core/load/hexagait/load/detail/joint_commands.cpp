@@ -26,14 +26,14 @@ constexpr JointKeys kPlural = {"positions", "velocities", "accelerations", "effo
 constexpr JointKeys kSingular = {"position", "velocity", "acceleration", "effort"};
 
 LegJoints read_joints(YamlReader& yaml, const YamlFields& fields, std::string_view key,
-                      const JointOrder& order, bool angles) {
+                      const JointOrder& order, Dimension dimension) {
   LegJoints joints = LegJoints::Constant(JointKnot::kNone);
   const std::optional<YamlField> field = yaml.find(fields, key);
   if (!field) return joints;
   // Joints that the leg doesn't have are given too: as 0.
   joints.setZero();
   const std::size_t count = static_cast<std::size_t>(order.size());
-  const std::optional<std::vector<double>> values = yaml.numbers(*field, {&count, 1}, angles);
+  const std::optional<std::vector<double>> values = yaml.numbers(*field, {&count, 1}, dimension);
   for (int i = 0; values && i < order.size(); ++i)
     joints[order[i]] = (*values)[static_cast<std::size_t>(i)];
   return joints;
@@ -42,10 +42,10 @@ LegJoints read_joints(YamlReader& yaml, const YamlFields& fields, std::string_vi
 JointKnot read_joint_state(YamlReader& yaml, const YamlFields& fields, const JointKeys& keys,
                            const JointOrder& order) {
   JointKnot knot;
-  knot.q = read_joints(yaml, fields, keys.q, order, true);
-  knot.qd = read_joints(yaml, fields, keys.qd, order, true);
-  knot.qdd = read_joints(yaml, fields, keys.qdd, order, true);
-  knot.effort = read_joints(yaml, fields, keys.effort, order, false);
+  knot.q = read_joints(yaml, fields, keys.q, order, Dimension::angle);
+  knot.qd = read_joints(yaml, fields, keys.qd, order, Dimension::angular_rate);
+  knot.qdd = read_joints(yaml, fields, keys.qdd, order, Dimension::angular_rate);
+  knot.effort = read_joints(yaml, fields, keys.effort, order, Dimension::number);
   return knot;
 }
 
@@ -122,7 +122,7 @@ JointTarget read_joint_target(YamlReader& yaml, const ActionWords& words,
                 "joint_target: says nothing; it must have position, velocity, acceleration or "
                 "effort, or a target with some of them");
   command.average_velocity =
-      yaml.number_or(options, "average_velocity", command.average_velocity, kPositiveAngle);
+      yaml.number_or(options, "average_velocity", command.average_velocity, kPositiveRate);
   return command;
 }
 
@@ -137,7 +137,7 @@ JointTrajectory read_joint_trajectory(YamlReader& yaml, const ActionWords& words
   const JointOrder order = names ? read_joint_names(yaml, leg, *names) : hip_to_foot(leg);
   for (const YamlField& item : read_knots(yaml, trajectory)) {
     const YamlFields fields = yaml.fields(item, kJointKnotMap);
-    const double before = command.knots.empty() ? -1.0 : command.knots.back().time;
+    const double before = command.knots.empty() ? 0.0 : command.knots.back().time;
     JointKnot knot = read_joint_state(yaml, fields, kPlural, order);
     knot.time = read_time(yaml, fields, before);
     if (says_nothing(knot))
@@ -154,7 +154,7 @@ JointTrajectory read_joint_trajectory(YamlReader& yaml, const ActionWords& words
 LegMode read_leg_mode(YamlReader& yaml, const ActionWords& words, const YamlFields& options) {
   LegMode command{read_leg_motion(yaml, words, options)};
   command.support_leg = yaml.flag_or(options, "support_leg", command.support_leg);
-  command.duration = yaml.number_or(options, "duration", command.duration, kPositive);
+  command.duration = yaml.number_or(options, "duration", command.duration, kPositiveTime);
   return command;
 }
 

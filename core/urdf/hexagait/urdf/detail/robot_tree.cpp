@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <hexagait/urdf/detail/robot_tree.hpp>
+#include <hexagait/urdf/detail/xml_size.hpp>
 #include <mutex>
 
 namespace hexagait {
@@ -37,9 +38,21 @@ class UrdfdomLog : public console_bridge::OutputHandler {
   console_bridge::LogLevel level_;
 };
 
+/// Links own their children: if some form a ring, they would never be freed.
+struct LinkOwner {
+  urdf::ModelInterface& model;
+  ~LinkOwner() {
+    for (const auto& [name, link] : model.links_) link->child_links.clear();
+  }
+};
+
 /// What urdfdom complains about is a violation, also where it carries on (with 0 for a bad mass).
-/// @returns null if urdfdom refuses the text
+/// @returns null if there is any: what is wrong with the rest would follow from it
 urdf::ModelInterfaceSharedPtr parse(const std::string& xml, Violations& violations) {
+  if (const std::string problem = too_large(xml); !problem.empty()) {
+    violations.add("URDF", problem);
+    return nullptr;
+  }
   static std::mutex one_at_a_time;  // urdfdom reports through one global handler
   const std::lock_guard lock(one_at_a_time);
   const UrdfdomLog log;
@@ -50,8 +63,10 @@ urdf::ModelInterfaceSharedPtr parse(const std::string& xml, Violations& violatio
   for (const std::string& error : log.errors)
     reasons.append(reasons.empty() ? "" : "; ").append(error);
   if (!model) reasons += "; it must be XML with a <robot> element and its links and joints";
-  if (!model || !reasons.empty()) violations.add("URDF", reasons);
-  return model;
+  if (model && reasons.empty()) return model;
+  violations.add("URDF", reasons);
+  if (model) const LinkOwner frees{*model};
+  return nullptr;
 }
 
 Vector3 vector(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
@@ -287,10 +302,8 @@ void Reader::report_unreached() {
 std::optional<RobotTree> read_robot_tree(const std::string& xml, Violations& violations) {
   const urdf::ModelInterfaceSharedPtr model = parse(xml, violations);
   if (!model) return std::nullopt;
-  RobotTree tree = Reader(*model, violations).read();
-  // Links own their children: if some form a ring, they would never be freed.
-  for (const auto& [name, link] : model->links_) link->child_links.clear();
-  return tree;
+  const LinkOwner owner{*model};
+  return Reader(*model, violations).read();
 }
 
 }  // namespace hexagait

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <hexagait/all/all.hpp>
+#include <hexagait/sim2d/terrain2d.hpp>
+#include <hexagait/sim3d/terrain.hpp>
+#include <hexagait/text/invalid_input.hpp>
+#include <hexagait/text/nearest_word.hpp>
+#include <hexagait/text/text_file.hpp>
+#include <hexagait/urdf/urdf.hpp>
+#include <hexagait/yaml/yaml_tree.hpp>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "commands.hpp"
+#include "output.hpp"
+
+namespace hexagait::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// A list for programs, and its lines for people.
+struct List {
+  Json json = Json::array();
+  std::string text;
+};
+
+List robots() {
+  List list;
+  for (const std::string& name : known_names("robots", ".urdf")) {
+    const std::string file = robot_file(name);
+    const RobotModel robot = load_urdf(file);
+    double reach = 0.0, length = 0.0, width = 0.0;
+    for (const LegModel& leg : robot.legs) {
+      reach = std::max(reach, leg.max_reach);
+      length = std::max(length, 2.0 * std::abs(leg.p_BC.x()));
+      width = std::max(width, 2.0 * std::abs(leg.p_BC.y()));
+    }
+    const int joints = robot.legs[0].num_joints();
+    list.text += fmt::format(
+        "{:<14} {} legs × {} joints, {:5.1f} kg, stance {:.2f} × {:.2f} m, legs reach {:.2f} m\n",
+        name, robot.num_legs(), joints, robot.mass, length, width, reach);
+    list.json.push_back({{"name", name},
+                         {"file", file},
+                         {"legs", robot.num_legs()},
+                         {"joints_per_leg", joints},
+                         {"mass_kg", robot.mass},
+                         {"stance_length_m", length},
+                         {"stance_width_m", width},
+                         {"reach_m", reach}});
+  }
+  list.text +=
+      fmt::format("{:<14} Genghis II in a side view, without a file: for walk only\n", kGenghis);
+  list.json.push_back({{"name", kGenghis}, {"file", nullptr}});
+  return list;
+}
+
+// The comment at the beginning of an action file, as one line without its licence.
+std::string comment(const std::string& file) {
+  std::istringstream lines(read_text(file, kMaxYamlText));
+  std::string text;
+  for (std::string line; std::getline(lines, line) && line.starts_with('#');)
+    if (line.size() > 2 && line.find("SPDX") == std::string::npos)
+      text.append(text.empty() ? "" : " ").append(line, 2);
+  return text;
+}
+
+List actions() {
+  List list;
+  for (const std::string& name : known_names("actions", ".yaml")) {
+    const std::string file = shared_file("action", name, "actions", ".yaml");
+    const std::string about = comment(file);
+    // Its first sentence, up to a colon; the robot is the first word `like this`.
+    const std::string what = about.substr(0, std::min(about.find(". "), about.find(": ")));
+    const std::size_t begin = std::min(about.find('`'), about.size() - 1) + 1;
+    const std::string robot = about.substr(begin, about.find('`', begin) - begin);
+    list.text += fmt::format("{:<14} {:<12} {}\n", name, robot, what);
+    list.json.push_back({{"name", name}, {"file", file}, {"robot", robot}, {"description", what}});
+  }
+  return list;
+}
+
+List terrains() {
+  List list;
+  const auto add = [&](std::string_view syntax, std::string_view meaning, bool side_view) {
+    list.text += fmt::format("{:<10} {}\n", syntax, meaning);
+    list.json.push_back({{"syntax", syntax}, {"meaning", meaning}, {"side_view", side_view}});
+  };
+  for (const auto& terrain : sim3d::known_terrains()) add(terrain.syntax, terrain.meaning, false);
+  list.text += fmt::format("\nIn the side view (--robot {}):\n", kGenghis);
+  for (const auto& terrain : sim2d::known_terrains2d()) add(terrain.syntax, terrain.meaning, true);
+  list.text += "\nH is a height of 0 or more: 0.1, 10cm or 100mm.\n";
+  return list;
+}
+
+List experiments_list() {
+  List list;
+  for (const experiments::Experiment& experiment : experiments::experiments()) {
+    list.text += fmt::format("{:<14} {}\n", experiment.name, experiment.title);
+    list.json.push_back({{"name", experiment.name}, {"title", experiment.title}});
+  }
+  return list;
+}
+
+struct Kind {
+  std::string name;
+  List (*make)();
+};
+
+}  // namespace
+
+int list_command(const std::string& what, bool json) {
+  const Kind kinds[] = {{"robots", robots},
+                        {"actions", actions},
+                        {"terrains", terrains},
+                        {"experiments", experiments_list}};
+  std::vector<std::string> names;
+  for (const Kind& kind : kinds) {
+    names.push_back(kind.name);
+    if (kind.name != what) continue;
+    const List list = kind.make();
+    print_out(json ? list.json.dump(2) + "\n" : list.text);
+    return kOk;
+  }
+  throw InvalidInput(
+      fmt::format("there is no list of '{}'{}; there are robots, actions, terrains and experiments",
+                  what, did_you_mean(what, names)));
+}
+
+}  // namespace hexagait::app

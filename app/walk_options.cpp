@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "walk_options.hpp"
+
+#include "usage.hpp"
+
+namespace hexagait::app {
+namespace {
+
+constexpr const char* kNotes = R"(
+Angles are 45deg, 0.8rad or 0.8 (radians, at most 2π); lengths 0.05, 5cm or 50mm; times 2, 2s or 20ms.
+
+Examples:
+  hexagait walk                                     straight on, 40 s, flat ground
+  hexagait walk --radius 3 --terrain boxes:10cm     to the left over boxes of up to 10 cm
+  hexagait walk --spin cw --seconds 10              on the spot, to the right
+  hexagait walk --crab 45deg --distance 2 --json    diagonally, as one JSON object
+  hexagait walk --duty-factor 0.75                  a tetrapod wave gait
+  hexagait walk --robot genghis2d --terrain step:10cm --plot genghis.png
+                                                    Genghis II from the side
+  hexagait walk --random-commands 5 --plot walk.svg --trace walk.csv
+
+Exit status: 0 walked to the end; 1 fell, stuck, fault, or did not arrive at the distance;
+2 bad usage or input, or a file or stdout that can't be written; 130 Ctrl-C.)";
+
+void add_commands(CLI::App& walk, WalkArguments& a) {
+  auto* radius =
+      walk.add_option("--radius", a.radius,
+                      "Turning radius: > 0 to the left, < 0 to the right, inf straight; not 0")
+          ->type_name("LENGTH|inf");
+  auto* crab = walk.add_option("--crab", a.crab,
+                               "Direction of motion in the body, 0 forward, 90deg to the left")
+                   ->type_name("ANGLE");
+  auto* spin = walk.add_option("--spin", a.spin, "Turn in place, to the left or to the right")
+                   ->type_name("ccw|cw");
+  auto* commands =
+      walk.add_option("--commands", a.commands, "Commands and their times from a YAML file")
+          ->type_name("FILE");
+  auto* random = walk.add_option("--random-commands", a.random_commands,
+                                 "A random command every so often, 1ms to 1 day")
+                     ->type_name("TIME");
+  auto* gait = walk.add_option("--gait", a.gait,
+                               "free (default), unadjusted, literal, tripod (waits for all legs) "
+                               "or wave:BETA")
+                   ->type_name("G");
+  walk.add_option("--duty-factor", a.duty_factor,
+                  "Wave gait: share of the time that a leg stands, 0.5 (tripod) to < 1; the same "
+                  "as --gait wave:BETA")
+      ->type_name("BETA")
+      ->excludes(gait);
+  spin->excludes(radius)->excludes(crab);
+  commands->excludes(radius)->excludes(crab)->excludes(spin);
+  random->excludes(radius)->excludes(crab)->excludes(spin)->excludes(commands);
+}
+
+void add_length_and_start(CLI::App& walk, WalkArguments& a) {
+  walk.add_option("--seconds", a.seconds, "Time to walk at most, 1ms to 1 day")
+      ->type_name("TIME")
+      ->capture_default_str();
+  walk.add_option("--distance", a.distance,
+                  "Path to walk, 1mm to 100 km; exit status 1 if it does not arrive in time")
+      ->type_name("LENGTH");
+  walk.add_option("--random-posture", a.random_posture,
+                  "Start with feet displaced by up to this; at most a workspace's radius")
+      ->type_name("LENGTH");
+  walk.add_option("--seed", a.seed, "Seed of terrain, posture and commands: 0, 1, 2, …")
+      ->type_name("N")
+      ->capture_default_str();
+}
+
+void add_simulator(CLI::App& walk, WalkArguments& a) {
+  walk.add_flag("--no-contacts", a.no_contacts, "The controller has no contact sensors");
+  walk.add_flag("--no-joint-feedback", a.no_joint_feedback, "The controller has no joint sensors");
+  walk.add_option("--physics-step", a.physics_step,
+                  "10us to 50ms, of genghis2d to 5ms; default 2ms, of genghis2d 2.5ms")
+      ->type_name("TIME");
+  walk.add_option(
+          "--control-period", a.control_period,
+          "Up to 50ms, a multiple of the physics step; default the first of 2ms or more, of "
+          "genghis2d 5ms")
+      ->type_name("TIME");
+}
+
+void add_output(CLI::App& walk, WalkArguments& a) {
+  walk.add_flag("--json", a.json, "Print one JSON object");
+  walk.add_flag("--quiet", a.quiet, "No progress on stderr");
+  walk.add_option("--plot", a.plot, "Draw the walk: .png, .svg or .pdf")->type_name("FILE");
+  walk.add_option("--trace", a.trace, "Write a row per control tick: .csv")->type_name("FILE");
+}
+
+}  // namespace
+
+void add_walk(CLI::App& app, WalkArguments& a) {
+  CLI::App* walk = app.add_subcommand("walk", "Walk in the simulator, and be judged by the truth");
+  walk->footer(kNotes);
+  walk->add_option("--robot", a.robot, "URDF file, or a name of hexagait list robots")
+      ->type_name("FILE|NAME")
+      ->capture_default_str();
+  walk->add_option("--terrain", a.terrain, "Ground: see hexagait list terrains")
+      ->type_name("T")
+      ->capture_default_str();
+  group(*walk, "Robot and ground");
+  add_commands(*walk, a);
+  group(*walk, "Where to and how");
+  add_length_and_start(*walk, a);
+  group(*walk, "How long, and from where");
+  add_simulator(*walk, a);
+  group(*walk, "Sensors and steps of time");
+  add_output(*walk, a);
+  group(*walk, "Results");
+}
+
+}  // namespace hexagait::app

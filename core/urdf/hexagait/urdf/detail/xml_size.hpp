@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace hexagait {
+
+/// Limits of a URDF. urdfdom has none: it calls itself once per level of nesting, and takes time
+/// that grows with the square of the depth.
+inline constexpr std::size_t kMaxUrdfText = 10'000'000;  ///< [bytes]
+inline constexpr int kMaxUrdfDepth = 64;                 ///< of nested elements
+inline constexpr std::size_t kMaxUrdfElements = 100'000;
+inline constexpr std::size_t kMaxUrdfLinks = 1'000;
+
+/// What of an XML text exceeds the limits, with its line; empty: nothing. One pass over the text;
+/// whether it is XML is left to the parser.
+[[nodiscard]] std::string too_large(std::string_view xml);
+
+}  // namespace hexagait
