@@ -47,6 +47,23 @@ function(hexagait_module name)
   endif()
 endfunction()
 
+# hexagait_scripts(ROOM NAME…): gnuplot scripts hexagait/ROOM/NAME.gp, built into the room's library.
+# Its sources include <hexagait/ROOM/NAME.gp.hpp> and have the text as scripts::ROOM::NAME; nothing
+# reads the .gp file after the build.
+set(hexagait_embed_script ${CMAKE_CURRENT_LIST_DIR}/embed_script.cmake)
+function(hexagait_scripts room)
+  set(generated ${CMAKE_CURRENT_BINARY_DIR}/generated)
+  foreach(name IN LISTS ARGN)
+    set(in ${CMAKE_CURRENT_SOURCE_DIR}/hexagait/${room}/${name}.gp)
+    set(out ${generated}/hexagait/${room}/${name}.gp.hpp)
+    add_custom_command(
+      OUTPUT ${out} DEPENDS ${in} ${hexagait_embed_script} VERBATIM
+      COMMAND ${CMAKE_COMMAND} -DIN=${in} -DOUT=${out} -DROOM=${room} -P ${hexagait_embed_script})
+    target_sources(hexagait_${room} PRIVATE ${out})
+  endforeach()
+  target_include_directories(hexagait_${room} PRIVATE ${generated})
+endfunction()
+
 # What every test includes is read once: a quarter of the time that it takes to compile one. Only
 # tests: that each header and source of the library includes what it uses, is seen by compiling it.
 function(hexagait_precompiled target)

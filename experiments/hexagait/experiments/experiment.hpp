@@ -4,7 +4,7 @@
 
 #include <functional>
 #include <hexagait/experiments/verdict.hpp>
-#include <hexagait/figures/staged_files.hpp>
+#include <hexagait/figures/figure.hpp>
 #include <string>
 #include <vector>
 
@@ -15,6 +15,14 @@ struct ExperimentContext {
   const RobotModel* robot = nullptr;
   std::function<void(double share)> progress;  ///< called now and then with 0 … 1
   const std::atomic<bool>* stop = nullptr;     ///< once true, the experiment ends early
+  bool titles = true;                          ///< above the figures
+
+  /// A figure in all formats, on a sheet of width × height [px of a PNG].
+  [[nodiscard]] figures::Figure figure(const std::string& stem, int width, int height,
+                                       const std::string& headline,
+                                       const std::string& subtitle) const {
+    return {stem, "", titles ? headline : "", titles ? subtitle : "", width, height};
+  }
 };
 
 /// A figure or a claim of a paper, made again: runs, draws, and says whether the claim holds.

@@ -2,21 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <hexagait/figures/drawing.gp.hpp>
 #include <hexagait/figures/drawing.hpp>
 #include <hexagait/figures/gnuplot.hpp>
 
 namespace hexagait::figures {
 namespace {
 
-constexpr double kLeft = 50.0;  // of headlines [px]
-constexpr double kHead = 9.0;   // length of an arrow-head [px]
-
-constexpr const char* kSheet = R"(
-set lmargin at screen 0; set rmargin at screen 1; set bmargin at screen 0; set tmargin at screen 1
-unset border; unset tics; unset grid; unset key
-set xrange [0:width]; set yrange [height:0]
-mono(style, points) = sprintf("DejaVu Sans Mono%s,%g", style, suffix eq "svg" ? points/0.75 : points)
-)";
+constexpr double kHead = 9.0;  // length of an arrow-head [px]
 
 }  // namespace
 
@@ -31,11 +24,6 @@ std::string type_shade(char type) {
     default:
       return "#5d7a8c";
   }
-}
-
-void Drawing::title(const std::string& headline, const std::string& subtitle) {
-  text({kLeft, 34.0}, headline, {.points = 15.0, .align = "left"});
-  text({kLeft, 66.0}, subtitle, {.points = 10.5, .colour = kGrey, .align = "left"});
 }
 
 void Drawing::text(const Vector2& place, const std::string& text, const TextStyle& style) {
@@ -65,10 +53,10 @@ void Drawing::disc(const Vector2& centre, double radius, const std::string& fill
 void Drawing::arrow(const std::vector<Vector2>& points, const std::string& colour,
                     double line_width) {
   const std::string name = fmt::format("$curve{}", ++count_);
-  data_ += name + " << EOD\n";
+  data_ += name + " << EOD\nx,y\n";
   for (const Vector2& p : points) data_ += fmt::format("{:.2f},{:.2f}\n", p.x(), p.y());
   data_ += "EOD\n";
-  plots_ += fmt::format("{}{} using 1:2 with lines lw {} lc rgb '{}'",
+  plots_ += fmt::format("{}{} using \"x\":\"y\" with lines lw {} lc rgb '{}'",
                         plots_.empty() ? "plot " : ", \\\n     ", name, line_width, colour);
 
   // The head: a triangle along the last piece.
@@ -83,12 +71,10 @@ void Drawing::arrow(const std::vector<Vector2>& points, const std::string& colou
       tip.x(), tip.y(), a.x(), a.y(), b.x(), b.y(), tip.x(), tip.y(), colour);
 }
 
-void Drawing::draw(StagedFiles& files, const std::string& stem) const {
-  std::ofstream script = files.create(stem + ".gp");
-  script << figure_preamble(stem + ".svg", width_, height_) << kSheet << data_ << front_
-         << (plots_.empty() ? "plot NaN" : plots_) << '\n';
-  script.close();
-  draw_figure(files, stem);
+void Drawing::draw(StagedFiles& files, const Figure& figure) const {
+  draw_figure(files, figure, {},
+              std::string(scripts::figures::drawing) + data_ + front_ +
+                  (plots_.empty() ? "plot NaN" : plots_));
 }
 
 }  // namespace hexagait::figures

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/figures/staged_files.hpp>
-#include <hexagait/math/geometry.hpp>
+#include <hexagait/figures/figure.hpp>
 #include <string>
 #include <vector>
 
@@ -29,10 +28,6 @@ class Drawing {
     bool bold = false, mono = false;
   };
 
-  Drawing(int width, int height) : width_(width), height_(height) {}
-
-  /// A headline, and a line in grey below it, at the top left.
-  void title(const std::string& headline, const std::string& subtitle);
   void text(const Vector2& place, const std::string& text, const TextStyle& style);
   void box(const Vector2& least, const Vector2& greatest, const std::string& fill);
   void disc(const Vector2& centre, double radius, const std::string& fill,
@@ -40,11 +35,9 @@ class Drawing {
   /// Through all points, with an arrow-head at the last.
   void arrow(const std::vector<Vector2>& points, const std::string& colour, double line_width);
 
-  /// Writes STEM.gp and draws STEM.svg, STEM.pdf and STEM.png.
-  void draw(StagedFiles& files, const std::string& stem) const;
+  void draw(StagedFiles& files, const Figure& figure) const;
 
  private:
-  int width_, height_;
   int count_ = 0;
   std::string data_, plots_, front_;
 };

@@ -122,7 +122,8 @@ void draw_figure(StagedFiles& files, const std::string& stem) {
 
 std::string quoted(const std::string& text) {
   std::string result = "'";
-  for (const char letter : text) result.append(letter == '\'' ? 2 : 1, letter);
+  for (const char letter : text)
+    result.append(letter == '\'' ? 2 : 1, letter == '\n' ? ' ' : letter);
   return result + "'";
 }
 

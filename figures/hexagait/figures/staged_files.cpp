@@ -54,6 +54,16 @@ std::ofstream StagedFiles::create(const std::string& name) {
   return open(name);
 }
 
+void StagedFiles::write(const std::string& name, std::string_view text) {
+  expect(name);
+  std::ofstream file(staging_ / name, std::ios::binary);
+  file.write(text.data(), static_cast<std::streamsize>(text.size()));
+  file.close();
+  if (!file)
+    throw InvalidInput(
+        fmt::format("can't write '{}': {}", (directory_ / name).string(), std::strerror(errno)));
+}
+
 std::uint64_t StagedFiles::hash(const std::string& name) const {
   std::ifstream file(staging_ / name, std::ios::binary);
   std::uint64_t hash = kFnv1aBasis;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hexagait::figures {
@@ -31,6 +32,10 @@ class StagedFiles {
 
   /// expect() and open().
   [[nodiscard]] std::ofstream create(const std::string& name);
+
+  /// expect(), and the whole file.
+  /// @throws InvalidInput  if it can't be written, with its path and why
+  void write(const std::string& name, std::string_view text);
 
   /// Where files are until they are published.
   [[nodiscard]] const std::filesystem::path& staging() const { return staging_; }

@@ -14,7 +14,7 @@ struct Table {
   std::vector<std::vector<std::string>> rows;
 };
 
-/// A text with a comma is put in double quotes; a text has none of those itself.
+/// Quoted as Csv says.
 void write_csv(StagedFiles& files, const std::string& name, const Table& table);
 
 }  // namespace hexagait::figures

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <hexagait/posture/arc_optimum.hpp>
-#include <hexagait/posture/posture_error.hpp>
+#include <hexagait/posture/detail/posture_error.hpp>
 #include <hexagait/sim/random.hpp>
 #include <testing/random_feet.hpp>
 

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/QR>
+#include <hexagait/posture/detail/posture_error.hpp>
 #include <hexagait/posture/plane_fit.hpp>
-#include <hexagait/posture/posture_error.hpp>
 #include <hexagait/sim/random.hpp>
 #include <testing/random_feet.hpp>
 

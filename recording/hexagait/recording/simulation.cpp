@@ -4,21 +4,28 @@
 
 namespace hexagait::recording {
 
+sim3d::WorldParams world_params(const Simulation& simulation) {
+  sim3d::WorldParams params;
+  params.physics_dt = simulation.physics_dt;
+  params.control_dt = simulation.control_dt;
+  params.seed = simulation.seed;
+  return params;
+}
+
+footstep_gen::WalkerParams walker_params(const Simulation& simulation) {
+  footstep_gen::WalkerParams params;
+  params.control_dt = simulation.control_dt;
+  params.sensors = simulation.sensors;
+  params.gait.adjustment = simulation.gait.adjustment;
+  params.stepper = simulation.gait.stepper;
+  return params;
+}
+
 walk::Summary simulate(const RobotModel& robot, const Simulation& simulation,
                        const walk::Observer& observer, const std::atomic<bool>* stop) {
-  sim3d::WorldParams world_params;
-  world_params.physics_dt = simulation.physics_dt;
-  world_params.control_dt = simulation.control_dt;
-  world_params.seed = simulation.seed;
-  sim3d::World world(robot, simulation.terrain, world_params,
+  sim3d::World world(robot, simulation.terrain, world_params(simulation),
                      walk::random_posture(robot, simulation.random_posture, simulation.seed));
-
-  footstep_gen::WalkerParams walker_params;
-  walker_params.control_dt = simulation.control_dt;
-  walker_params.sensors = simulation.sensors;
-  walker_params.gait.adjustment = simulation.gait.adjustment;
-  walker_params.stepper = simulation.gait.stepper;
-  footstep_gen::Walker walker(robot, walker_params);
+  footstep_gen::Walker walker(robot, walker_params(simulation));
 
   const auto watch = [&](const auto& record, const auto& truth, const auto& referee) {
     if (observer) observer(record, truth, referee);

@@ -22,6 +22,10 @@ struct Simulation {
   walk::TrialOptions trial;
 };
 
+/// The world and the controller of a simulation.
+[[nodiscard]] sim3d::WorldParams world_params(const Simulation& simulation);
+[[nodiscard]] footstep_gen::WalkerParams walker_params(const Simulation& simulation);
+
 /// Walks it.
 /// @param observer  called after every tick
 /// @param stop      once true, the walker makes an emergency stop and the walk ends

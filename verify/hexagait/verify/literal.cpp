@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <hexagait/verify/situation.hpp>
-#include <hexagait/verify/theorems.hpp>
+#include <hexagait/verify/detail/situation.hpp>
+#include <hexagait/verify/detail/theorems.hpp>
 
 namespace hexagait::verify {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <hexagait/verify/theorems.hpp>
+#include <hexagait/verify/detail/theorems.hpp>
 #include <map>
 #include <set>
 #include <string>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <hexagait/verify/settle.hpp>
-#include <hexagait/verify/situations.hpp>
-#include <hexagait/verify/theorems.hpp>
+#include <hexagait/verify/detail/settle.hpp>
+#include <hexagait/verify/detail/situations.hpp>
+#include <hexagait/verify/detail/theorems.hpp>
 
 namespace hexagait::verify {
 

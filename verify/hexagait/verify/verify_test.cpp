@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <hexagait/verify/situation.hpp>
-#include <hexagait/verify/theorems.hpp>
+#include <hexagait/verify/detail/situation.hpp>
+#include <hexagait/verify/detail/theorems.hpp>
 #include <limits>
 
 // The theorems hold for the library's rules, and each rule that is broken is noticed.

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <hexagait/verify/settle.hpp>
-#include <hexagait/verify/theorems.hpp>
-#include <hexagait/verify/wave_slices.hpp>
+#include <hexagait/verify/detail/settle.hpp>
+#include <hexagait/verify/detail/theorems.hpp>
+#include <hexagait/verify/detail/wave_slices.hpp>
 #include <unordered_map>
 
 namespace hexagait::verify {

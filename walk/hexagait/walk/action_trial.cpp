@@ -4,7 +4,7 @@
 #include <cmath>
 #include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/walk/action_trial.hpp>
-#include <hexagait/walk/state_hash.hpp>
+#include <hexagait/walk/detail/state_hash.hpp>
 #include <numbers>
 
 namespace hexagait::walk {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/gait_state/ring.hpp>
+#include <hexagait/walk/detail/state_hash.hpp>
 #include <hexagait/walk/referee.hpp>
-#include <hexagait/walk/state_hash.hpp>
 
 namespace hexagait::walk {
 namespace {

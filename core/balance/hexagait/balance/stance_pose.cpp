@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <hexagait/balance/detail/support_room.hpp>
 #include <hexagait/balance/stance_pose.hpp>
 #include <hexagait/balance/support_polygon.hpp>
-#include <hexagait/balance/support_room.hpp>
 #include <hexagait/math/quadratic_program.hpp>
 #include <hexagait/model/kinematics.hpp>
 

@@ -152,11 +152,8 @@ void draw_states(figures::Drawing& drawing, const std::vector<Transition>& all) 
       node(drawing, place_of(all[k].from), kRadius, letter(all[k].from), to_string(all[k].from));
 }
 
-void draw(figures::StagedFiles& files, const std::vector<Transition>& all) {
-  figures::Drawing drawing(1400, 890);
-  drawing.title("Transitions between the gait states with CCN = 3",
-                "an arrow for each set of legs with priority that step together · letters: type of "
-                "state · after [PC04] Fig. 4");
+figures::Drawing drawn(const std::vector<Transition>& all) {
+  figures::Drawing drawing;
   const Vector2 legend(62.0, 780.0);
   for (int legs = 1; legs <= 3; ++legs) {
     const Vector2 row = legend + Vector2(0.0, 26.0 * (legs - 1));
@@ -172,7 +169,7 @@ void draw(figures::StagedFiles& files, const std::vector<Transition>& all) {
                {.points = 11.0, .align = "left", .bold = true});
   draw_types(drawing, all);
   draw_states(drawing, all);
-  drawing.draw(files, "fig4");
+  return drawing;
 }
 
 // A cycle of types with one leg, or as many as said, at a time.
@@ -203,14 +200,17 @@ std::vector<Verdict> judge(const std::vector<Transition>& all) {
 
 }  // namespace
 
-Outcome fig4(const ExperimentContext&, figures::StagedFiles& files) {
+Outcome fig4(const ExperimentContext& context, figures::StagedFiles& files) {
   const std::vector<Transition> all = transitions();
   figures::Table table{{"from", "from_type", "to", "to_type", "legs"}, {}};
   for (const Transition& t : all)
     table.rows.push_back({to_string(t.from), std::string(1, letter(t.from)), to_string(t.to),
                           std::string(1, letter(t.to)), std::to_string(t.legs.size())});
   figures::write_csv(files, "fig4.csv", table);
-  draw(files, all);
+  drawn(all).draw(
+      files, context.figure("fig4", 1400, 890, "Transitions between the gait states with CCN = 3",
+                            "an arrow for each set of legs with priority that step together · "
+                            "letters: type of state · after [PC04] Fig. 4"));
   return {.verdicts = judge(all), .settings = {{"legs", "6"}, {"ccn", "3"}}};
 }
 

@@ -34,13 +34,9 @@ std::string spaced(const std::string& state) {
   return text;
 }
 
-void draw(figures::StagedFiles& files, const std::vector<Table1Cell>& cells) {
+figures::Drawing drawn(const std::vector<Table1Cell>& cells) {
   constexpr double kLeft = 150.0, kTop = 150.0, kWide = 230.0, kHigh = 84.0;
-  figures::Drawing drawing(1120, 610);
-  drawing.title(
-      "The 62 gait states of six legs, modulo rotations of the ring",
-      "rows: clockwise circularity number · columns: who may step · below each state: how "
-      "many rotations it has · after [PC04] Table 1");
+  figures::Drawing drawing;
   const char* const meaning[] = {"one leg", "two with a common neighbour", "two without",
                                  "three legs"};
   for (int column = 0; column < 4; ++column) {
@@ -65,7 +61,7 @@ void draw(figures::StagedFiles& files, const std::vector<Table1Cell>& cells) {
                  fmt::format("× {}", cell.states),
                  {.points = 9.5, .colour = is_target ? ink : figures::kGrey});
   }
-  drawing.draw(files, "table1");
+  return drawing;
 }
 
 }  // namespace
@@ -92,7 +88,7 @@ std::vector<Table1Cell> table1_cells() {
   return cells;
 }
 
-Outcome table1(const ExperimentContext&, figures::StagedFiles& files) {
+Outcome table1(const ExperimentContext& context, figures::StagedFiles& files) {
   const std::vector<Table1Cell> cells = table1_cells();
   figures::Table table{{"ccn", "type", "state", "rotations"}, {}};
   int states = 0;
@@ -103,7 +99,11 @@ Outcome table1(const ExperimentContext&, figures::StagedFiles& files) {
                             std::to_string(cell.states)});
   }
   figures::write_csv(files, "table1.csv", table);
-  draw(files, cells);
+  drawn(cells).draw(
+      files, context.figure(
+                 "table1", 1120, 610, "The gait states of six legs, modulo rotations of the ring",
+                 "rows: clockwise circularity number · columns: who may step · below each "
+                 "state: how many rotations it has · after [PC04] Table 1"));
 
   const bool one_each =
       std::ranges::all_of(cells, [](const Table1Cell& cell) { return cell.classes.size() == 1; });

@@ -66,20 +66,16 @@ void draw_row(figures::Drawing& drawing, double y, const Table2Row& row, std::si
                {.points = 9.5, .colour = agrees ? figures::kGrey : figures::kAccent});
 }
 
-void draw(figures::StagedFiles& files, const std::vector<Table2Row>& rows) {
+figures::Drawing drawn(const std::vector<Table2Row>& rows) {
   constexpr double kTop = 135.0, kPitch = 48.0;
-  figures::Drawing drawing(1070, 850);
-  drawing.title(
-      "How the tripod gait comes about, event by event",
-      "a … f: the legs along the ring · filled: on the ground · open: in the air · CCN = 3 "
-      "throughout · after [PC04] Table 2");
+  figures::Drawing drawing;
   drawing.text({675.0, kTop - 34.0}, "type", {.points = 9.5, .colour = figures::kGrey});
   drawing.text({730.0, kTop - 34.0}, "event",
                {.points = 9.5, .colour = figures::kGrey, .align = "left"});
   for (std::size_t k = 0; k < rows.size(); ++k)
     draw_row(drawing, kTop + kPitch * static_cast<double>(k), rows[k], k + 1,
              rows[k] == table2_printed()[k]);
-  drawing.draw(files, "table2");
+  return drawing;
 }
 
 }  // namespace
@@ -140,7 +136,7 @@ const std::vector<Table2Row>& table2_printed() {
   return rows;
 }
 
-Outcome table2(const ExperimentContext&, figures::StagedFiles& files) {
+Outcome table2(const ExperimentContext& context, figures::StagedFiles& files) {
   const std::vector<Table2Row> rows = table2_rows(6, 3);
   figures::Table table{{"row", "state", "ground", "type", "ccn", "event", "as_printed"}, {}};
   int agreeing = 0;
@@ -153,7 +149,11 @@ Outcome table2(const ExperimentContext&, figures::StagedFiles& files) {
                           agrees ? "yes" : "no"});
   }
   figures::write_csv(files, "table2.csv", table);
-  draw(files, rows);
+  drawn(rows).draw(
+      files,
+      context.figure("table2", 1070, 850, "A tripod gait from a state of type B, event by event",
+                     "a … f: the legs along the ring · filled: on the ground · open: in the "
+                     "air · after [PC04] Table 2"));
   return {.verdicts = {{"The printed sequence leads from type B to the tripod gait",
                         agreeing == static_cast<int>(kRows),
                         fmt::format("{} of {} rows come out as printed (step time 6 slices, leg f "

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <hexagait/verify/slice_walk.hpp>
+#include <hexagait/verify/detail/slice_walk.hpp>
 #include <numeric>
 
 namespace hexagait::verify {

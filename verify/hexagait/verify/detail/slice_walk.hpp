@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/verify/situation.hpp>
+#include <hexagait/verify/detail/situation.hpp>
 
 namespace hexagait::verify {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/verify/situations.hpp>
+#include <hexagait/verify/detail/situations.hpp>
 #include <span>
 
 namespace hexagait::verify {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <hexagait/verify/wave_slices.hpp>
+#include <hexagait/verify/detail/wave_slices.hpp>
 
 namespace hexagait::verify {
 

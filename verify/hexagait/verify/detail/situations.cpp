@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <hexagait/verify/situations.hpp>
+#include <hexagait/verify/detail/situations.hpp>
 
 namespace hexagait::verify {
 

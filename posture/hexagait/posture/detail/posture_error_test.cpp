@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <functional>
-#include <hexagait/posture/posture_error.hpp>
+#include <hexagait/posture/detail/posture_error.hpp>
 #include <hexagait/sim/random.hpp>
 #include <testing/random_feet.hpp>
 

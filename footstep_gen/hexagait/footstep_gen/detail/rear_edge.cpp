@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <hexagait/footstep_gen/rear_edge.hpp>
+#include <hexagait/footstep_gen/detail/rear_edge.hpp>
 #include <hexagait/gait_state/ring.hpp>
 
 namespace hexagait::footstep_gen {

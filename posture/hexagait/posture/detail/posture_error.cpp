@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
-#include <hexagait/posture/posture_error.hpp>
+#include <hexagait/posture/detail/posture_error.hpp>
 
 namespace hexagait::posture {
 namespace {

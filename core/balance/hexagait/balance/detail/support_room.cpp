@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <hexagait/balance/support_room.hpp>
+#include <hexagait/balance/detail/support_room.hpp>
 #include <limits>
 
 namespace hexagait {

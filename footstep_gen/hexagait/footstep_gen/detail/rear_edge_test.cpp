@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <hexagait/footstep_gen/rear_edge.hpp>
+#include <hexagait/footstep_gen/detail/rear_edge.hpp>
 #include <hexagait/gait_state/ring.hpp>
 #include <hexagait/gait_state/stepper.hpp>
 #include <testing/kinematic_plant.hpp>

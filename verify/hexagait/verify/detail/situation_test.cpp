@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <hexagait/verify/settle.hpp>
-#include <hexagait/verify/situations.hpp>
-#include <hexagait/verify/wave_slices.hpp>
+#include <hexagait/verify/detail/settle.hpp>
+#include <hexagait/verify/detail/situations.hpp>
+#include <hexagait/verify/detail/wave_slices.hpp>
 #include <map>
 #include <set>
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <hexagait/balance/support_room.hpp>
+#include <hexagait/balance/detail/support_room.hpp>
 #include <hexagait/sim/random.hpp>
 #include <vector>
 

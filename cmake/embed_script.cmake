@@ -1,0 +1,13 @@
+# cmake -DIN=NAME.gp -DOUT=NAME.gp.hpp -DROOM=… -P embed_script.cmake
+# Turns a gnuplot script into a header that holds its text: hexagait::scripts::ROOM::NAME.
+get_filename_component(name ${IN} NAME_WE)
+file(READ ${IN} text)
+file(WRITE ${OUT} "// Made of ${name}.gp by the build.
+#pragma once
+
+#include <string_view>
+
+namespace hexagait::scripts::${ROOM} {
+inline constexpr std::string_view ${name} = R\"gnuplot(${text})gnuplot\";
+}  // namespace hexagait::scripts::${ROOM}
+")
