@@ -28,10 +28,10 @@ int run_command(const ActionArguments& arguments);
 struct ExperimentArguments {
   std::string name = "all";
   std::string out = "results";
-  bool list = false, json = false, quiet = false;
+  bool list = false, short_form = false, json = false, quiet = false;
 };
 
-/// `hexagait experiment`: 0 if all claims hold, or are known not to. @throws InvalidInput
+/// `hexagait experiment`: 0 if each claim holds, or fails as it was declared to. @throws InvalidInput
 int experiment_command(const ExperimentArguments& arguments);
 
 /// `hexagait robot FILE`. @throws InvalidInput

@@ -38,12 +38,10 @@ std::vector<Experiment> chosen(const std::string& name) {
 void print(const Manifest& manifest, const std::filesystem::path& out) {
   fmt::print("{}\n", manifest.title);
   for (const experiments::Verdict& verdict : manifest.outcome.verdicts) {
-    fmt::print("  {:<14} {}: {}\n", verdict.holds ? "holds" : "DOES NOT HOLD", verdict.claim,
-               verdict.numbers);
-    if (!verdict.holds && !verdict.why_not.empty())
-      fmt::print("  {:<14} known: {}\n", "", verdict.why_not);
+    fmt::print("  {}: {}\n", verdict.word(), verdict.claim);
+    for (const std::string& line : verdict.lines()) fmt::print("      {}\n", line);
   }
-  fmt::print("  written to     {}\n\n", (out / manifest.experiment).string());
+  fmt::print("  written to {}\n\n", (out / manifest.experiment).string());
 }
 
 }  // namespace
@@ -61,7 +59,8 @@ int experiment_command(const ExperimentArguments& arguments) {
     manifests.push_back(run(experiment,
                             {.robot = &robot,
                              .progress = [&](double share) { progress.at(share); },
-                             .stop = &interrupted},
+                             .stop = &interrupted,
+                             .short_form = arguments.short_form},
                             arguments.out));
     if (interrupted) return kInterrupted;
   }
@@ -70,8 +69,7 @@ int experiment_command(const ExperimentArguments& arguments) {
 
   bool well = true;
   for (const Manifest& manifest : manifests) {
-    well = well &&
-           std::ranges::all_of(manifest.outcome.verdicts, &experiments::Verdict::is_accounted_for);
+    well = well && manifest.is_accounted_for();
     if (!arguments.json) print(manifest, arguments.out);
   }
   if (arguments.json) fmt::print("{}\n", to_json(manifests));

@@ -87,8 +87,9 @@ void add_experiment(CLI::App& app, ExperimentArguments& a) {
       app.add_subcommand("experiment", "Make a figure of a paper again, and test its claims");
   experiment->footer(
       "\nExamples:\n  hexagait experiment --list\n  hexagait experiment fig9 --out results\n\n"
-      "Exit status: 0 every claim holds, or it is known and said why not; 1 one does not hold;\n"
-      "2 bad usage or input; 130 Ctrl-C. `all` also writes index.html, a page that shows them.");
+      "Exit status: 0 every claim holds, or fails within the band that is declared for it; 1 one\n"
+      "does not, or holds unexpectedly; 2 bad usage or input; 130 Ctrl-C. `all` also writes "
+      "index.html, a page that shows them.");
   experiment->add_option("name", a.name, "Which: see --list")
       ->type_name("NAME|all")
       ->capture_default_str();
@@ -96,6 +97,8 @@ void add_experiment(CLI::App& app, ExperimentArguments& a) {
       ->type_name("DIR")
       ->capture_default_str();
   experiment->add_flag("--list", a.list, "List the experiments");
+  experiment->add_flag("--short", a.short_form,
+                       "Some seconds each; claims that need the full length are not judged");
   experiment->add_flag("--json", a.json, "Print the verdicts as one JSON object");
   experiment->add_flag("--quiet", a.quiet, "No progress on stderr");
 }
@@ -107,6 +110,7 @@ void add_sweep(CLI::App& app, SweepArguments& a) {
       "  hexagait sweep sweeps/speed_argos.yaml --shard 2/8 --out results/part2\n"
       "  hexagait sweep sweeps/speed_argos.yaml --emit slurm --shards 32 --out results/argos\n\n"
       "After Ctrl-C, or worse, the same command goes on where it was.\n"
+      "A trial that crashes or takes too long makes a row without a result, and holds up nothing.\n"
       "Exit status: 0 all trials are in; 1 some are missing; 2 bad usage or input; 130 Ctrl-C.");
   sweep->add_option("file", a.file, "Sweep file: see docs/sweeps.md")
       ->type_name("FILE.yaml")
@@ -117,6 +121,11 @@ void add_sweep(CLI::App& app, SweepArguments& a) {
   sweep->add_option("--emit", a.emit, "Run nothing; write job files for several machines")
       ->type_name("slurm|parallel|mpi");
   sweep->add_option("--shards", a.shards, "Number of jobs, for --emit")->type_name("N");
+  sweep
+      ->add_option("--trial-timeout", a.trial_timeout,
+                   "Give a trial up after so long; default a minute and 10 times what it simulates")
+      ->type_name("SECONDS");
+  sweep->add_flag("--yes", a.yes, "Go on even if it will take more than three days");
   sweep->add_flag("--json", a.json, "Print one JSON object");
   sweep->add_flag("--quiet", a.quiet, "No progress on stderr");
 }

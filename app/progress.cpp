@@ -15,6 +15,15 @@ constexpr double kRefresh = 0.2;   // of the line on a terminal [s]
 
 }  // namespace
 
+std::string duration(double seconds) {
+  constexpr double kMinute = 60.0, kHour = 3600.0, kDay = 86400.0, kYear = 365.25 * kDay;
+  if (seconds < 2.0 * kMinute) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 2.0 * kHour) return fmt::format("{:.0f} min", seconds / kMinute);
+  if (seconds < 2.0 * kDay) return fmt::format("{:.1f} h", seconds / kHour);
+  if (seconds < 2.0 * kYear) return fmt::format("{:.0f} days", seconds / kDay);
+  return fmt::format("{:.2g} years", seconds / kYear);
+}
+
 Progress::Progress(double whole, Measure measure, bool quiet)
     : whole_(whole),
       measure_(measure),
@@ -54,7 +63,7 @@ std::string Progress::line(double done, double wall) const {
   if (measure_ == Measure::trials)
     text += fmt::format("  {:.0f} of {:.0f} trials, {:.{}f} per second", done, whole_, rate,
                         rate < 10.0 ? 2 : 0);
-  return text + fmt::format(", {:.0f} s left", left);
+  return text + ", " + duration(left) + " left";
 }
 
 }  // namespace hexagait::app

@@ -7,6 +7,9 @@
 
 namespace hexagait::app {
 
+/// "12 s", "3 min", "5.2 h", "41 days", "3.2 years".
+[[nodiscard]] std::string duration(double seconds);
+
 /// Tells on stderr how far something of more than 2 s has got: one line that updates itself on a
 /// terminal, elsewhere a line per 10 %.
 class Progress {

@@ -28,9 +28,7 @@ std::string known_robots() {
 fs::path shared_directory(const std::string& name) {
   std::error_code error;
   const fs::path command = fs::read_symlink("/proc/self/exe", error);
-  const fs::path installed = command.parent_path().parent_path() / "share/hexagait" / name;
-  return !error && fs::is_directory(installed, error) ? installed
-                                                      : fs::path(HEXAGAIT_SHARED_DIR) / name;
+  return command.parent_path().parent_path() / "share/hexagait" / name;
 }
 
 std::string robot_file(const std::string& robot) {

@@ -53,7 +53,9 @@ TEST_F(SweepCli, RefusesOptionsThatMakeNoSense) {
         std::pair("--shard 3", "2/8"), std::pair("--shard 3/2", "from 1 to 2"),
         std::pair("--shard 0/2", "'0'"),
         std::pair("--emit pbs --shards 2", "slurm, parallel or mpi"),
-        std::pair("--emit slurm", "--shards N"), std::pair("--shards 2", "--emit")}) {
+        std::pair("--emit slurm", "--shards N"), std::pair("--shards 2", "--emit"),
+        std::pair("--trial-timeout 0", "--trial-timeout is '0'"),
+        std::pair("--trial-timeout soon", "0.001 to 10000000 seconds")}) {
     const Result result = run(std::string("sweep sweep.yaml --out a ") + options);
     EXPECT_EQ(result.status, 2) << options;
     EXPECT_THAT(result.err, HasSubstr(word)) << options;
@@ -100,6 +102,23 @@ TEST_F(SweepCli, LosesAndRepeatsNoTrialWhenItIsInterrupted) {
   EXPECT_EQ(lines(), 20'001);  // each trial once, and the first line
   EXPECT_EQ(run("sweep long.yaml --out b --quiet").status, 0);
   EXPECT_EQ(content(at("a/trials.csv")), content(at("b/trials.csv")));
+}
+
+// 2 · 10¹² trials: who did not mean it is told before a day is lost, and keeps what is done.
+TEST_F(SweepCli, AsksBeforeASweepOfYears) {
+  write("endless.yaml", std::string(kSweep) + "seeds: 500000000000\n");
+  const Result result = run("sweep endless.yaml --out a --quiet --jobs 2");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.err, AllOf(HasSubstr("1000000000000 trials on 2 processes would take"),
+                                HasSubstr("are finished and kept"), HasSubstr("--yes")));
+}
+
+TEST_F(SweepCli, RefusesADirectoryInPlaceOfAFile) {
+  fs::create_directory(at("folder"));
+  const Result result = run("sweep folder --out a");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.err, HasSubstr("'folder' is a directory; a sweep file is expected"));
+  EXPECT_FALSE(fs::exists(at("a")));
 }
 
 // 8 blocks of 512 B: room for the first line and some trials.
@@ -155,8 +174,29 @@ TEST_F(SweepCli, WritesJobFilesThatABashCanRead) {
   for (const char* file :
        {"slurm.sh", "shard.sbatch", "merge.sbatch", "parallel.sh", "rank.sh", "mpi.sh"})
     EXPECT_EQ(std::system(("bash -n " + at("jobs/" + std::string(file)).string()).c_str()), 0);
+  // Paths in the sweep file are relative to where the scripts were made.
+  EXPECT_THAT(content(at("jobs/shard.sbatch")),
+              HasSubstr("folder=${HEXAGAIT_FOLDER:-'" + here().string() + "'}"));
   EXPECT_THAT(content(at("jobs/shard.sbatch")),
               AllOf(HasSubstr("--array=1-7 --cpus-per-task=2"), HasSubstr("shards=7")));
+}
+
+// A robot named by a relative path is found from every shard.
+TEST_F(SweepCli, RunsJobFilesWithARobotOfARelativePath) {
+  const fs::path argos = fs::path(HEXAGAIT_SOURCE_DIR) / "robots/argos.urdf";
+  fs::copy_file(argos, at("my.urdf"));
+  write("walk.yaml",
+        "simulator: ode\ncontrollers: [free]\nrobots: [./my.urdf]\nterrains: [flat]\nseeds: 2\n"
+        "seconds: 0.1\n");
+  EXPECT_EQ(run("sweep walk.yaml --emit mpi --shards 2 --out jobs").status, 0);
+  std::ofstream(at("mpirun"))
+      << "#!/bin/sh\nshift 2\nOMPI_COMM_WORLD_RANK=0 OMPI_COMM_WORLD_SIZE=1 \"$@\"\n";
+  fs::permissions(at("mpirun"), fs::perms::owner_all);
+  EXPECT_EQ(std::system(("MPIRUN='" + at("mpirun").string() + "' '" + at("jobs/mpi.sh").string() +
+                         "' >/dev/null")
+                            .c_str()),
+            0);
+  EXPECT_TRUE(content(at("jobs/merged/trials.csv")).find("./my.urdf") != std::string::npos);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <charconv>
+#include <chrono>
 #include <hexagait/sweep/job_files.hpp>
 #include <hexagait/sweep/report.hpp>
 #include <hexagait/sweep/results.hpp>
@@ -38,6 +39,18 @@ std::uint64_t whole(const char* option, std::string_view text, std::uint64_t gre
 }
 
 constexpr std::uint64_t kMaxJobs = 1024, kMaxShards = 1'000'000;
+constexpr double kLong = 3.0 * 86400.0;  // a sweep that takes longer wants --yes [s]
+
+// 0 if none was given.
+double trial_timeout(const std::string& text) {
+  if (text.empty()) return 0.0;
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !(0.001 <= value && value <= 1e7))
+    throw InvalidInput(fmt::format(
+        "--trial-timeout is '{}'; it must be a time from 0.001 to 10000000 seconds", text));
+  return value;
+}
 
 int jobs(const std::string& text, unsigned otherwise) {
   return static_cast<int>(text.empty() ? otherwise : whole("--jobs", text, kMaxJobs));
@@ -72,6 +85,7 @@ int emit(const SweepArguments& arguments) {
       write_job_files(scheduler,
                       {.program = fs::read_symlink("/proc/self/exe"),
                        .sweep = fs::absolute(arguments.file),
+                       .folder = fs::current_path(),
                        .shards = whole("--shards", arguments.shards, kMaxShards),
                        .jobs = jobs(arguments.jobs, 1)},
                       arguments.out);
@@ -105,8 +119,8 @@ std::string as_json(const RunOutcome& outcome, const std::optional<Published>& p
   for (const std::string& range : ranges(outcome)) missing.push_back('"' + range + '"');
   return fmt::format(
       "{{\"trials\": {}, \"finished\": {}, \"finished_before\": {}, \"complete\": {}, "
-      "\"missing\": [{}], \"rows_hash\": {}}}\n",
-      outcome.trials, outcome.finished, outcome.before, outcome.complete(),
+      "\"without_result\": {}, \"missing\": [{}], \"rows_hash\": {}}}\n",
+      outcome.trials, outcome.finished, outcome.before, outcome.complete(), outcome.without_result,
       fmt::join(missing, ", "),
       published ? fmt::format("\"{:016x}\"", published->rows_hash) : "null");
 }
@@ -116,18 +130,64 @@ void tell(const Published& published, const fs::path& directory) {
              published.rows_hash);
 }
 
+// Whether a sweep goes on for so long that its user may not have meant it: known from its first
+// seconds, or trials if those are slow.
+class Patience {
+ public:
+  Patience(int jobs, bool endless)
+      : enough_(static_cast<std::uint64_t>(2 * jobs)), endless_(endless), start_(Clock::now()) {}
+
+  // Time that is left, if it is too long.
+  [[nodiscard]] std::optional<double> exceeded(std::uint64_t finished, std::uint64_t whole) const {
+    const double wall = std::chrono::duration<double>(Clock::now() - start_).count();
+    if (endless_ || wall < kTrial || finished < enough_) return {};
+    const double left =
+        wall / static_cast<double>(finished) * static_cast<double>(whole - finished);
+    return left > kLong ? std::optional(left) : std::nullopt;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr double kTrial = 2.0;  // [s]
+  std::uint64_t enough_;
+  bool endless_;
+  Clock::time_point start_;
+};
+
 RunOutcome run(const Sweep& sweep, const Shard& shard, const SweepArguments& arguments,
                const std::atomic<bool>& interrupted) {
+  const int processes = jobs(arguments.jobs, std::max(1U, std::thread::hardware_concurrency()));
+  const Patience patience(processes, arguments.yes);
+  std::optional<double> too_long;
+  std::atomic<bool> stop = false;
   std::optional<Progress> progress;
   const auto tell = [&](std::uint64_t finished, std::uint64_t whole) {
     if (!progress)
       progress.emplace(static_cast<double>(whole), Progress::Measure::trials, arguments.quiet);
     progress->at(static_cast<double>(finished));
+    if (!too_long) too_long = patience.exceeded(finished, whole);
+    stop = interrupted || too_long;
   };
-  return run_shard(sweep, shard, arguments.out,
-                   {.jobs = jobs(arguments.jobs, std::max(1U, std::thread::hardware_concurrency())),
-                    .stop = &interrupted,
-                    .progress = tell});
+  RunOutcome outcome = run_shard(sweep, shard, arguments.out,
+                                 {.jobs = processes,
+                                  .stop = &stop,
+                                  .trial_timeout = trial_timeout(arguments.trial_timeout),
+                                  .progress = tell});
+  progress.reset();
+  if (too_long)
+    throw InvalidInput(
+        fmt::format("{} trials on {} processes would take {}; {} are finished and kept. Add --yes "
+                    "to go on with "
+                    "them all, or share them between machines by --shard or --emit",
+                    outcome.trials, processes, duration(*too_long), outcome.finished));
+  return outcome;
+}
+
+// Trials without a result are results of the sweep, but nobody should overlook them.
+void tell_without_result(std::uint64_t number, const fs::path& directory) {
+  if (number == 0) return;
+  fmt::print(stderr, "hexagait: {} trial{} no result, see the columns outcome and reason of {}\n",
+             number, number == 1 ? " has" : "s have", (directory / "trials.csv").string());
 }
 
 }  // namespace
@@ -147,7 +207,10 @@ int sweep_command(const SweepArguments& arguments) {
     fmt::print("{}", as_json(outcome, published));
   else if (published)
     tell(*published, arguments.out);
-  if (published) return kOk;
+  if (published) {
+    tell_without_result(outcome.without_result, arguments.out);
+    return kOk;
+  }
   tell_missing(outcome, part);
   return interrupted ? kInterrupted : kFailed;
 }
@@ -165,10 +228,11 @@ int merge_command(const MergeArguments& arguments) {
   const Published published =
       sweep::merge({arguments.parts.begin(), arguments.parts.end()}, arguments.out);
   if (arguments.json)
-    fmt::print("{{\"trials\": {}, \"rows_hash\": \"{:016x}\"}}\n", published.trials,
-               published.rows_hash);
+    fmt::print("{{\"trials\": {}, \"without_result\": {}, \"rows_hash\": \"{:016x}\"}}\n",
+               published.trials, published.without_result, published.rows_hash);
   else
     tell(published, arguments.out);
+  tell_without_result(published.without_result, arguments.out);
   return kOk;
 }
 

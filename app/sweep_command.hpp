@@ -12,6 +12,8 @@ struct SweepArguments {
   std::string file, out;
   std::string jobs, shard;
   std::string emit, shards;
+  std::string trial_timeout;
+  bool yes = false;  ///< however long it takes
   bool json = false, quiet = false;
 };
 

@@ -1,33 +1,27 @@
 # Every foreign library, found once, and only where something needs it. ODE, urdfdom and KDL come
 # without CMake targets: pkg-config.
 
-# hexagait_needs(OPTION NEEDED…): what OPTION needs must be on as well.
-function(hexagait_needs option)
-  if(NOT ${option})
-    return()
-  endif()
-  foreach(needed IN LISTS ARGN)
-    if(NOT ${needed})
-      message(FATAL_ERROR "${option}=ON needs ${needed}=ON; switch ${option} off as well")
-    endif()
-  endforeach()
-endfunction()
-hexagait_needs(HEXAGAIT_FIGURES HEXAGAIT_ACTIONS HEXAGAIT_SIM2D HEXAGAIT_SIM3D)
-hexagait_needs(HEXAGAIT_SWEEPS HEXAGAIT_FIGURES HEXAGAIT_URDF)
-hexagait_needs(HEXAGAIT_TOOLS HEXAGAIT_SWEEPS)
-hexagait_needs(HEXAGAIT_TESTS HEXAGAIT_SWEEPS)
-hexagait_needs(HEXAGAIT_BENCH HEXAGAIT_SWEEPS)
-hexagait_needs(HEXAGAIT_FUZZ HEXAGAIT_ACTIONS)
+# Those that our libraries link to: the CMake target; how find_package(hexagait) looks for it; its
+# name for pkg-config; the Debian package that has it.
+set(hexagait_foreign_libraries
+    "Eigen3::Eigen|find_dependency(Eigen3 3.4 NO_MODULE)|eigen3|libeigen3-dev"
+    "fmt::fmt|find_dependency(fmt)|fmt|libfmt-dev"
+    "yaml-cpp|find_dependency(yaml-cpp)|yaml-cpp|libyaml-cpp-dev"
+    "box2d::box2d|find_dependency(box2d)|box2d|libbox2d-dev"
+    "PkgConfig::urdfdom|hexagait_find_by_pkg_config(urdfdom)|urdfdom|liburdfdom-dev"
+    "PkgConfig::ode|hexagait_find_by_pkg_config(ode)|ode|libode-dev")
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(fmt REQUIRED)
+if(HEXAGAIT_ACTIONS OR HEXAGAIT_VERIFY)
+  find_package(fmt REQUIRED)
+endif()
 if(HEXAGAIT_ACTIONS)
   find_package(yaml-cpp REQUIRED)
 endif()
 if(HEXAGAIT_SIM2D)
   find_package(box2d REQUIRED)
 endif()
-if(HEXAGAIT_URDF OR HEXAGAIT_SIM3D OR HEXAGAIT_TESTS)
+if(HEXAGAIT_URDF OR HEXAGAIT_SIM3D)
   find_package(PkgConfig REQUIRED)
 endif()
 if(HEXAGAIT_URDF)

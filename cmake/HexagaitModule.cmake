@@ -18,11 +18,14 @@ function(hexagait_module name)
   list(TRANSFORM arg_TESTS PREPEND hexagait/${name}/)
 
   set(scope PUBLIC)
-  set(private PRIVATE)
   if(arg_SOURCES)
-    add_library(hexagait_${name} STATIC ${arg_SOURCES})
-    set_target_properties(hexagait_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    add_library(hexagait_${name} ${arg_SOURCES})  # static, or shared with BUILD_SHARED_LIBS
+    set_target_properties(hexagait_${name} PROPERTIES
+      POSITION_INDEPENDENT_CODE ON DEFINE_SYMBOL "" INSTALL_RPATH "$ORIGIN"
+      VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
     hexagait_options(hexagait_${name})
+    # What is headers only and private, those who link to an installed room need not have.
+    list(TRANSFORM arg_PRIVATE REPLACE "^(nlohmann_json::.*|Boost::headers)$" "$<BUILD_INTERFACE:\\1>")
     target_link_libraries(hexagait_${name} PRIVATE ${arg_PRIVATE})
   else()
     set(scope INTERFACE)
@@ -34,17 +37,36 @@ function(hexagait_module name)
   target_include_directories(hexagait_${name} ${scope}
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(hexagait_${name} ${scope} ${arg_PUBLIC})
-  set_property(GLOBAL APPEND PROPERTY hexagait_rooms_of_${arg_COMPONENT} ${name})
 
-  install(TARGETS hexagait_${name} EXPORT hexagait-${arg_COMPONENT}-targets
-          COMPONENT ${arg_COMPONENT})
+  hexagait_register(${name} ${arg_COMPONENT} ${arg_PUBLIC} ${arg_PRIVATE})
+  install(TARGETS hexagait_${name} EXPORT hexagait-${arg_COMPONENT}-targets)
   install(DIRECTORY hexagait/${name} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hexagait
-          COMPONENT ${arg_COMPONENT}
           FILES_MATCHING PATTERN "*.hpp" PATTERN "detail" EXCLUDE)
 
   if(HEXAGAIT_TESTS AND arg_TESTS)
     hexagait_test(${name}_test SOURCES ${arg_TESTS} LIBRARIES hexagait::${name} ${arg_TEST_LIBRARIES})
   endif()
+endfunction()
+
+# hexagait_register(ROOM COMPONENT LIBRARY…): for HexagaitInstall: the components in the order in which
+# they build on each other, and of each its rooms, the components and the foreign libraries it needs.
+function(hexagait_register room component)
+  get_property(components GLOBAL PROPERTY hexagait_components)
+  if(NOT component IN_LIST components)
+    set_property(GLOBAL APPEND PROPERTY hexagait_components ${component})
+  endif()
+  set_property(GLOBAL APPEND PROPERTY hexagait_rooms_of_${component} ${room})
+  set_property(GLOBAL PROPERTY hexagait_component_of_${room} ${component})
+  foreach(library IN LISTS ARGN)
+    if(library MATCHES "^hexagait::(.*)")
+      get_property(other GLOBAL PROPERTY hexagait_component_of_${CMAKE_MATCH_1})
+      if(NOT other STREQUAL component)
+        set_property(GLOBAL APPEND PROPERTY hexagait_needs_of_${component} ${other})
+      endif()
+    elseif(NOT library MATCHES "BUILD_INTERFACE")
+      set_property(GLOBAL APPEND PROPERTY hexagait_foreign_of_${component} ${library})
+    endif()
+  endforeach()
 endfunction()
 
 # hexagait_scripts(ROOM NAME…): gnuplot scripts hexagait/ROOM/NAME.gp, built into the room's library.

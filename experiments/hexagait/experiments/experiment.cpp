@@ -19,7 +19,8 @@ Manifest run(const Experiment& experiment, const ExperimentContext& context, con
         fmt::format("can't make the directory '{}': {}", directory.string(), error.message()));
 
   figures::StagedFiles files(directory);
-  Manifest manifest{experiment.name, experiment.title, experiment.run(context, files), {}};
+  Manifest manifest{
+      experiment.name, experiment.title, context.short_form, experiment.run(context, files), {}};
   if (context.stop != nullptr && context.stop->load()) return manifest;
 
   // A PDF carries the date, so its bytes differ from run to run.

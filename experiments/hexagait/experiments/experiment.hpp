@@ -3,7 +3,7 @@
 #pragma once
 
 #include <functional>
-#include <hexagait/experiments/verdict.hpp>
+#include <hexagait/experiments/manifest.hpp>
 #include <hexagait/figures/figure.hpp>
 #include <string>
 #include <vector>
@@ -15,6 +15,7 @@ struct ExperimentContext {
   const RobotModel* robot = nullptr;
   std::function<void(double share)> progress;  ///< called now and then with 0 … 1
   const std::atomic<bool>* stop = nullptr;     ///< once true, the experiment ends early
+  bool short_form = false;  ///< some seconds; claims that need more are not judged, and say so
   bool titles = true;                          ///< above the figures
 
   /// A figure in all formats, on a sheet of width × height [px of a PNG].

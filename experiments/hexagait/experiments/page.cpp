@@ -28,7 +28,7 @@ constexpr const char* kHead = R"(<!DOCTYPE html>
              font-family: ui-monospace, "DejaVu Sans Mono", monospace; }
   section { border-top: 1px solid var(--pale); margin-top: 3rem; padding-top: 1.6rem; }
   a { color: #2f6f9f; text-decoration: none; } a:hover { text-decoration: underline; }
-  .lead, .files, .why { color: var(--grey); } .files { font-size: .85rem; }
+  .lead, .files { color: var(--grey); } .files { font-size: .85rem; }
   figure { margin: 1.4rem 0 .6rem; } figure img { width: 100%; height: auto; display: block; }
   ul.claims { list-style: none; padding: 0; margin: 0; }
   ul.claims li { display: grid; grid-template-columns: 8.6rem 1fr; gap: .2rem 1rem; padding: .45rem 0; }
@@ -36,7 +36,6 @@ constexpr const char* kHead = R"(<!DOCTYPE html>
              letter-spacing: .05em; color: var(--good); }
   .no .verdict { color: var(--accent); } .known .verdict { color: #9a6b00; }
   .numbers { grid-column: 2; font-size: .9rem; color: #3d4c58; font-variant-numeric: tabular-nums; }
-  .why { grid-column: 2; font-size: .9rem; font-style: italic; }
   table { border-collapse: collapse; font: .82rem/1.5 system-ui, sans-serif; margin: 1.2rem 0; width: 100%;
           font-variant-numeric: tabular-nums; }
   th { text-align: left; font-weight: 600; border-bottom: 1.5px solid var(--ink); padding: .25rem .6rem .25rem 0; }
@@ -85,12 +84,11 @@ std::string content(const fs::path& file) {
 std::string claims_html(const std::vector<Verdict>& verdicts) {
   std::string html = "<ul class=\"claims\">\n";
   for (const Verdict& v : verdicts) {
-    const char* const kind = v.holds ? "yes" : v.why_not.empty() ? "no" : "known";
+    const char* const kind = !v.is_accounted_for() ? "no" : v.holds() ? "yes" : "known";
     html += fmt::format("<li class=\"{}\"><span class=\"verdict\">{}</span><span>{}</span>\n", kind,
-                        v.holds ? "holds" : "does not hold", escaped(v.claim));
-    html += fmt::format("<span class=\"numbers\">{}</span>", escaped(v.numbers));
-    if (!v.holds && !v.why_not.empty())
-      html += fmt::format("\n<span class=\"why\">Known: {}.</span>", escaped(v.why_not));
+                        v.word(), escaped(v.claim));
+    for (const std::string& line : v.lines())
+      html += fmt::format("<span class=\"numbers\">{}</span>\n", escaped(line));
     html += "</li>\n";
   }
   return html + "</ul>\n";
@@ -139,7 +137,8 @@ std::string overview_html(const std::vector<Manifest>& manifests) {
   std::string html =
       "<table class=\"overview\"><tr><th>experiment</th><th></th><th>claims that hold</th></tr>\n";
   for (const Manifest& m : manifests) {
-    const auto holding = std::ranges::count_if(m.outcome.verdicts, &Verdict::holds);
+    const auto holding =
+        std::ranges::count_if(m.outcome.verdicts, [](const Verdict& v) { return v.holds(); });
     html +=
         fmt::format("<tr><td><a href=\"#{0}\">{0}</a></td><td>{1}</td><td>{2} of {3}</td></tr>\n",
                     m.experiment, escaped(m.title), holding, m.outcome.verdicts.size());

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <filesystem>
-#include <hexagait/experiments/verdict.hpp>
+#include <hexagait/experiments/manifest.hpp>
 #include <vector>
 
 namespace hexagait::experiments {

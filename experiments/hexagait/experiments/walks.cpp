@@ -7,7 +7,10 @@
 #include <fmt/ostream.h>
 
 #include <algorithm>
+#include <cmath>
 #include <hexagait/experiments/experiment.hpp>
+#include <hexagait/experiments/walk_checks.hpp>
+#include <hexagait/experiments/walks.hpp>
 
 namespace hexagait::experiments {
 namespace {
@@ -15,12 +18,7 @@ namespace {
 using heading_control::Heading;
 using heading_control::Turn;
 
-struct Walk {
-  std::string group, name;
-  recording::Simulation simulation;
-  double max_lateral = 0.0;  ///< bound on the mean distance from the path [m]; 0: none
-  walk::Summary summary;
-};
+using Walk = JudgedWalk;
 
 recording::Simulation flat(const Heading& heading, double seconds) {
   recording::Simulation simulation;
@@ -29,9 +27,10 @@ recording::Simulation flat(const Heading& heading, double seconds) {
   return simulation;
 }
 
-void add_headings(std::vector<Walk>& walks) {
+std::vector<Walk> headings(double seconds) {
+  std::vector<Walk> walks;
   const auto add = [&](const std::string& name, const Heading& heading, double bound = 0.005) {
-    walks.push_back({"heading", name, flat(heading, 40.0), bound, {}});
+    walks.push_back({"heading", name, flat(heading, seconds), bound});
   };
   add("straight", Heading::straight(0.0));
   for (const double r : {3.0, 1.0, 0.3, -1.0})
@@ -41,134 +40,168 @@ void add_headings(std::vector<Walk>& walks) {
   add("crab 45°", Heading::straight(std::numbers::pi / 4.0), 0.015);
   add("crab 90°", Heading::straight(std::numbers::pi / 2.0));
   add("backwards", Heading::straight(std::numbers::pi));
+  return walks;
 }
 
-void add_postures(std::vector<Walk>& walks) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+// A walk for each seed, from 1 on.
+template <class Of>
+std::vector<Walk> seeds(const std::string& group, std::uint64_t count, Of of) {
+  std::vector<Walk> walks;
+  for (std::uint64_t seed = 1; seed <= count; ++seed) {
+    walks.push_back({group, fmt::format("seed {}", seed), of(seed)});
+    walks.back().simulation.seed = seed;
+  }
+  return walks;
+}
+
+std::vector<Walk> postures(std::uint64_t count) {
+  return seeds("posture", count, [](std::uint64_t) {
     recording::Simulation simulation = flat(Heading::straight(0.0), 20.0);
-    simulation.seed = seed;
     simulation.random_posture = 0.10;
-    walks.push_back({"posture", fmt::format("seed {}", seed), simulation, 0.0, {}});
-  }
+    return simulation;
+  });
 }
 
-void add_random_commands(std::vector<Walk>& walks) {
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    recording::Simulation simulation;
-    simulation.seed = seed;
-    simulation.trial.schedule = walk::random_schedule(seed, 1.0, 120.0);
-    simulation.trial.seconds = 120.0;
-    walks.push_back({"commands", fmt::format("seed {}", seed), simulation, 0.0, {}});
-  }
+std::vector<Walk> random_commands(std::uint64_t count, double seconds) {
+  return seeds("commands", count, [=](std::uint64_t seed) {
+    recording::Simulation simulation = flat(Heading::stop(), seconds);
+    simulation.trial.schedule = walk::random_schedule(seed, 1.0, seconds);
+    return simulation;
+  });
 }
 
-void add_terrain(std::vector<Walk>& walks, const std::string& terrain) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+std::vector<Walk> terrain(const std::string& terrain, std::uint64_t count, double metres) {
+  return seeds(terrain, count, [&](std::uint64_t) {
     recording::Simulation simulation = flat(Heading::straight(0.0), 90.0);
-    simulation.seed = seed;
     simulation.terrain = sim3d::parse_terrain(terrain);
-    simulation.trial.distance = 5.0;
-    walks.push_back({terrain, fmt::format("seed {}", seed), simulation, 0.0, {}});
-  }
+    simulation.trial.distance = metres;
+    return simulation;
+  });
 }
 
-void write_table(std::ostream& out, const std::vector<Walk>& walks) {
+void write_table(std::ostream& out, const std::vector<std::vector<Walk>>& groups) {
   out << "group,walk,seconds_s,distance_m,turned_rad,speed_m_s,lateral_mean_m,lateral_max_m,"
          "heading_max_rad,slip_mean_m,slip_p95_m,margin_min_m,roll_max_rad,pitch_max_rad,steps,"
          "tripod_after_steps,rule1_violations,neighbour_flight_s,contact_losses,fell,stuck,hash\n";
-  for (const auto& [group, name, simulation, bound, s] : walks)
-    fmt::print(out, "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:d},{:d},{:016x}\n",
-               group, name, s.seconds, s.distance, s.turned, s.speed, s.lateral_mean, s.lateral_max,
-               s.heading_max, s.slip_mean, s.slip_p95, s.margin_min, s.roll_max, s.pitch_max,
-               s.steps, s.tripod_after_steps.value_or(-1), s.rule1_violations, s.neighbour_flight,
-               s.contact_losses, s.fell, s.stuck, s.state_hash);
+  for (const auto& walks : groups)
+    for (const auto& [group, name, simulation, bound, s] : walks)
+      fmt::print(out,
+                 "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:d},{:d},{:016x}\n",
+                 group, name, s.seconds, s.distance, s.turned, s.speed, s.lateral_mean,
+                 s.lateral_max, s.heading_max, s.slip_mean, s.slip_p95, s.margin_min, s.roll_max,
+                 s.pitch_max, s.steps, s.tripod_after_steps.value_or(-1), s.rule1_violations,
+                 s.neighbour_flight, s.contact_losses, s.fell, s.stuck, s.state_hash);
 }
 
-// Largest of a figure over the walks of a group.
-template <class Value>
-double worst(const std::vector<Walk>& walks, const std::string& group, Value value) {
-  double most = 0.0;
-  for (const Walk& walk : walks)
-    if (walk.group == group) most = std::max(most, static_cast<double>(value(walk)));
-  return most;
+std::vector<walk::Summary> summaries(std::span<const Walk> walks) {
+  std::vector<walk::Summary> all;
+  for (const Walk& walk : walks) all.push_back(walk.summary);
+  return all;
 }
 
-Verdict judge_headings(const std::vector<Walk>& walks) {
-  const auto group = [&](auto figure) { return worst(walks, "heading", figure); };
-  const double off = group([](const Walk& w) { return w.summary.lateral_mean / w.max_lateral; });
-  const double lateral = group([](const Walk& w) { return w.summary.lateral_mean; });
-  const double slip = group([](const Walk& w) { return w.summary.slip_p95; });
-  const double losses = group([](const Walk& w) { return w.summary.contact_losses; });
-  const double straight = walks.front().summary.speed;
-  return {
-      "Ten headings on flat ground, 40 s each: mean distance from the path at most 0.5 cm (crab "
-      "45°: 1.5 cm), slip p95 at most 0.3 mm, at least 0.20 m/s straight, no contact lost",
-      off <= 1.0 && slip <= 3e-4 && losses == 0.0 && straight >= 0.20,
-      fmt::format("{:.2f} cm at worst, {:.2f} mm, {:.3f} m/s, {} losses", 100.0 * lateral,
-                  1e3 * slip, straight, losses)};
+Check none_stuck(std::span<const Walk> walks) {
+  return {{"walks that got stuck", share_of(walks, [](const Walk& w) { return w.summary.stuck; })},
+          exactly(0.0)};
 }
 
-Verdict judge_postures(const std::vector<Walk>& walks) {
-  const double lifts = worst(walks, "posture", [](const Walk& w) {
-    return w.summary.tripod_after_steps.value_or(w.summary.steps + 1000);
-  });
-  return {"From 20 random starting postures: tripod gait within 25 steps", lifts <= 25.0,
-          fmt::format("after {} steps at worst", lifts)};
-}
-
-Verdict judge_commands(const std::vector<Walk>& walks) {
-  const auto group = [&](auto figure) { return worst(walks, "commands", figure); };
-  const double failed = group([](const Walk& w) { return !w.summary.ok(); });
-  const double violations = group([](const Walk& w) { return w.summary.rule1_violations; });
-  const double flight = group([](const Walk& w) { return w.summary.neighbour_flight; });
-  return {"A new random (r, α) every second for 120 s, 5 seeds: no fall, no rule 1 violation",
-          failed == 0.0 && violations == 0.0,
-          fmt::format("{} violations; two neighbours in fact off the ground for {:.3f} s at worst",
-                      violations, flight)};
-}
-
-Verdict judge_terrain(const std::vector<Walk>& walks, const std::string& terrain) {
-  int arrived = 0, count = 0;
-  double lateral = 0.0, speed = 0.0;
-  for (const Walk& walk : walks) {
-    if (walk.group != terrain) continue;
-    ++count;
-    arrived += walk.summary.arrived;
-    lateral += walk.summary.lateral_mean;
-    speed += walk.summary.speed;
-  }
-  lateral /= count;
-  const double most = worst(walks, terrain, [](const Walk& w) { return w.summary.lateral_mean; });
-  return {fmt::format("5 m of {}, 20 seeds: all arrive, mean distance from the path at most 3 cm",
-                      terrain),
-          arrived == count && lateral <= 0.03,
-          fmt::format("{} of {}; {:.2f} cm on average, {:.2f} cm in the worst walk; {:.3f} m/s",
-                      arrived, count, 100.0 * lateral, 100.0 * most, speed / count)};
+// Walked for as long as asked.
+Check to_the_end(std::span<const Walk> walks) {
+  return {{"walks that went on to their end", share_of(walks,
+                                                       [](const Walk& w) {
+                                                         return w.summary.seconds >=
+                                                                w.simulation.trial.seconds - 1e-6;
+                                                       })},
+          exactly(100.0)};
 }
 
 }  // namespace
 
+Verdict judge_headings(std::span<const Walk> walks, double reach) {
+  const auto most = [&](auto value) { return worst(walks, value); };
+  const double lateral = most([](const Walk& w) { return w.summary.lateral_mean; });
+  const double share = most([](const Walk& w) { return w.summary.lateral_mean / w.max_lateral; });
+  const double slip = most([](const Walk& w) { return w.summary.slip_p95; });
+  const double losses = most([](const Walk& w) { return w.summary.contact_losses; });
+  // The speed of a foot below the farthest workspace centre, on the outside of a curve.
+  const double slowest = statistics::least(each(walks, [&](const Walk& w) {
+    return w.summary.speed + reach * std::abs(w.summary.turned) / w.summary.seconds;
+  }));
+  return {
+      .claim = fmt::format("{} headings on flat ground, {} s each", walks.size(),
+                           walks.front().simulation.trial.seconds),
+      .safety = no_fall_and_rule_1(summaries(walks)),
+      .checks = {
+          none_stuck(walks),
+          to_the_end(walks),
+          {{"mean distance from the path, share of 5 mm (crab 45°: 15 mm)", "%", 100.0 * share,
+            fmt::format("at worst {:.2f} mm", 1e3 * lateral)},
+           at_most(100.0)},
+          {{"slip of a stance, 95th percentile, worst heading", "mm", 1e3 * slip}, at_most(0.3)},
+          {{"contacts lost", "", losses}, exactly(0.0)},
+          {{"speed straight on", "m/s", walks.front().summary.speed}, at_least(0.20)},
+          {{"speed of the outermost foot, slowest heading", "m/s", slowest}, at_least(0.18)}}};
+}
+
+Verdict judge_postures(std::span<const Walk> walks) {
+  // A walk that never finds the tripod gait has no number of steps.
+  const double steps = worst(walks, [](const Walk& w) {
+    const auto& after = w.summary.tripod_after_steps;
+    return after ? *after : std::nan("");
+  });
+  return {
+      .claim = fmt::format("From {} random starting postures: tripod gait", walks.size()),
+      .safety = no_fall_and_rule_1(summaries(walks)),
+      .checks = {none_stuck(walks), {{"steps before it, worst start", "", steps}, at_most(25.0)}}};
+}
+
+Verdict judge_commands(std::span<const Walk> walks) {
+  return {.claim = fmt::format("A new random (r, α) every second for {} s, {} seeds",
+                               walks.front().simulation.trial.seconds, walks.size()),
+          .safety = no_fall_and_rule_1(summaries(walks), 0.2),
+          .checks = {none_stuck(walks), to_the_end(walks)}};
+}
+
+Verdict judge_terrain(std::span<const Walk> walks) {
+  const auto lateral = each(walks, [](const Walk& w) { return 1e2 * w.summary.lateral_mean; });
+  const auto speed = each(walks, [](const Walk& w) { return w.summary.speed; });
+  const Measured arrived("walks that arrive",
+                         share_of(walks, [](const Walk& w) { return w.summary.arrived; }));
+  const Measured off("mean distance from the path", "cm", statistics::estimate(lateral),
+                     fmt::format("worst walk {:.2f} cm", statistics::greatest(lateral)));
+  return {.claim = fmt::format("{} m of {}, {} seeds", walks.front().simulation.trial.distance,
+                               walks.front().group, walks.size()),
+          .safety = no_fall(summaries(walks)),
+          .checks = {{arrived, exactly(100.0)}, Check::of_interval(off, at_most(3.0))},
+          .remark = fmt::format("{:.3f} m/s", statistics::estimate(speed).mean)};
+}
+
 Outcome walks(const ExperimentContext& context, figures::StagedFiles& files) {
-  std::vector<Walk> walks;
-  add_headings(walks);
-  add_postures(walks);
-  add_random_commands(walks);
-  add_terrain(walks, "boxes:0.10");
-  add_terrain(walks, "steps:0.10");
-
-  for (std::size_t k = 0; k < walks.size(); ++k) {
-    if (context.stop != nullptr && context.stop->load()) break;
-    walks[k].summary = recording::simulate(*context.robot, walks[k].simulation, {}, context.stop);
-    if (context.progress)
-      context.progress(static_cast<double>(k + 1) / static_cast<double>(walks.size()));
-  }
+  const bool brief = context.short_form;
+  std::vector<std::vector<Walk>> groups = {
+      headings(brief ? 6.0 : 40.0), postures(brief ? 3 : 20),
+      random_commands(brief ? 1 : 5, brief ? 20.0 : 120.0),
+      terrain("boxes:0.10", brief ? 2 : 20, brief ? 1.0 : 5.0),
+      terrain("steps:0.10", brief ? 2 : 20, brief ? 1.0 : 5.0)};
+  std::size_t count = 0, done = 0;
+  for (const auto& group : groups) count += group.size();
+  for (auto& group : groups)
+    for (Walk& walk : group) {
+      walk.summary = recording::simulate(*context.robot, walk.simulation, {}, context.stop);
+      if (context.stop != nullptr && context.stop->load()) return {};
+      if (context.progress)
+        context.progress(static_cast<double>(++done) / static_cast<double>(count));
+    }
   std::ofstream table = files.create("walks.csv");
-  write_table(table, walks);
+  write_table(table, groups);
 
-  return {.walk = recording::WalkReport{context.robot->name, walks.front().simulation,
-                                        walks.front().summary},
-          .verdicts = {judge_headings(walks), judge_postures(walks), judge_commands(walks),
-                       judge_terrain(walks, "boxes:0.10"), judge_terrain(walks, "steps:0.10")}};
+  double reach = 0.0;
+  for (const LegModel& leg : context.robot->legs)
+    reach = std::max(reach, leg.p_BC.head<2>().norm());
+  return {
+      .verdicts = {judge_headings(groups[0], reach), judge_postures(groups[1]),
+                   judge_commands(groups[2]), judged_in_full_only(judge_terrain(groups[3]), brief),
+                   judged_in_full_only(judge_terrain(groups[4]), brief)},
+      .settings = {{"robot", context.robot->name}, {"walks", std::to_string(count)}}};
 }
 
 }  // namespace hexagait::experiments

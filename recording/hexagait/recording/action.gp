@@ -12,7 +12,7 @@ eval key_above(above_top)
 is_left(leg) = int(leg) % 2 == 0
 plot feet using "x_m":(is_left(column("leg")) ? column("y_m") : NaN) with lines lw 1.4 lc rgb left_side title "left feet", \
      feet using "x_m":(is_left(column("leg")) ? NaN : column("y_m")) with lines lw 1.4 lc rgb right_side title "right feet", \
-     feet using "x_m":(column("support") ? column("y_m") : NaN) with points pt 7 ps 0.35 lc rgb grey title "on the ground", \
+     feet using "x_m":(column("support") == 1 ? column("y_m") : NaN) with points pt 7 ps 0.35 lc rgb grey title "on the ground", \
      base using "x_m":"y_m" with lines lw 2 lc rgb accent title "base", \
      base using "x_m":"y_m" every ::0::0 with points pt 6 ps 1 lw 1.6 lc rgb accent notitle
 do for [k=1:|leg_names|] { unset label 100+k }
@@ -24,7 +24,7 @@ eval side_range
 unset key
 plot feet using "x_m":(is_left(column("leg")) ? NaN : column("z_m")) with lines lw 1.4 lc rgb right_side, \
      feet using "x_m":(is_left(column("leg")) ? column("z_m") : NaN) with lines lw 1.4 lc rgb left_side, \
-     feet using "x_m":(column("support") ? column("z_m") : NaN) with points pt 7 ps 0.35 lc rgb grey, \
+     feet using "x_m":(column("support") == 1 ? column("z_m") : NaN) with points pt 7 ps 0.35 lc rgb grey, \
      base using "x_m":"z_m" with lines lw 2 lc rgb accent, \
      base using "x_m":"z_m" every ::0::0 with points pt 6 ps 1 lw 1.6 lc rgb accent
 

@@ -90,7 +90,7 @@ Json results(const walk::Summary& s) {
       {"heading_error_rad", {{"max", s.heading_max}, {"end", s.heading_end}}},
       {"odometry_error",
        {{"position_m", finite(s.odometry_position)}, {"heading_rad", finite(s.odometry_heading)}}},
-      {"slip_m", {{"mean", s.slip_mean}, {"p95", s.slip_p95}}},
+      {"slip_m", {{"mean", finite(s.slip_mean)}, {"p95", finite(s.slip_p95)}}},
       {"stances", s.stances},
       {"stability_margin_m", {{"min", finite(s.margin_min)}, {"p5", finite(s.margin_p5)}}},
       {"roll_rad", {{"max", s.roll_max}}},

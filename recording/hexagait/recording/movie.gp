@@ -48,7 +48,7 @@ do for [k=0:frames-1] {
        profile using "along_m":"left_m" with lines lw 1 lc rgb left_side, \
        for [i=0:legs-1:2] feet using "along_m":"z_m" every ::from:i:to:i with lines lw 1 lc rgb accent, \
        lines using "along_m":"z_m" every :2::b0::b1 with lines lw 4 lc rgb left_side, \
-       lines using "along_m":(column("foot") ? column("z_m") : NaN) every :2::b0::b1 with points pt 7 ps 0.9 \
+       lines using "along_m":(column("foot") == 1 ? column("z_m") : NaN) every :2::b0::b1 with points pt 7 ps 0.9 \
            lc rgb left_side
   unset label
 
@@ -68,7 +68,7 @@ do for [k=0:frames-1] {
            lc rgb (i % 2 == 0 ? left_side : right_side), \
        lines using "x_m":"y_m" every :2::b0::b1 with lines lw 3 lc rgb left_side, \
        lines using "x_m":"y_m" every :2::c0::b1 with lines lw 3 lc rgb right_side, \
-       lines using "x_m":(column("foot") ? column("y_m") : NaN) every :::b0::b1 with points pt 7 ps 0.8 lc rgb ink
+       lines using "x_m":(column("foot") == 1 ? column("y_m") : NaN) every :::b0::b1 with points pt 7 ps 0.8 lc rgb ink
   unset label
   unset multiplot
 }

@@ -18,7 +18,7 @@ plot @ground table("steps") using "x_m":"y_m" with points pt 7 ps 0.4 lc rgb "#8
          title "footholds", \
      table("body") using "ideal_x_m":"ideal_y_m" with lines lw 7 lc rgb asked title "commanded", \
      table("legs") using "x_m":"y_m" with lines lw 1.6 lc rgb left_side notitle, \
-     table("legs") using "x_m":(column("foot") ? column("y_m") : NaN) with points pt 7 ps 0.6 lc rgb left_side notitle, \
+     table("legs") using "x_m":(column("foot") == 1 ? column("y_m") : NaN) with points pt 7 ps 0.6 lc rgb left_side notitle, \
      table("outlines") using "x_m":"y_m" with filledcurves closed fs transparent solid 0.28 \
          lc rgb left_side notitle, \
      table("outlines") using "x_m":"y_m" with lines lw 1.6 lc rgb left_side title "the robot", \

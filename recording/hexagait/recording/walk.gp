@@ -14,14 +14,14 @@ eval key_above(side_top)
 plot ground using "along_m":"right_m":(z_min) with filledcurves fs solid 1 lc rgb "#e9dfc6" notitle, \
      ground using "along_m":"right_m" with lines lw 1 lc rgb right_side notitle, \
      lines using "along_m":(is_left(column("leg")) ? NaN : column("z_m")) with lines lw 3 lc rgb right_side notitle, \
-     lines using "along_m":(column("foot") && !is_left(column("leg")) ? column("z_m") : NaN) \
+     lines using "along_m":(column("foot") == 1 && !is_left(column("leg")) ? column("z_m") : NaN) \
          with points pt 7 ps 0.8 lc rgb right_side notitle, \
      outlines using "along_m":"z_m" with filledcurves closed fs solid 1 lc rgb "#dfe5ea" notitle, \
      outlines using "along_m":"z_m" with lines lw 1.4 lc rgb ink notitle, \
      ground using "along_m":"left_m":(z_min) with filledcurves fs transparent solid 0.55 lc rgb "#c3d3df" notitle, \
      ground using "along_m":"left_m" with lines lw 1 lc rgb left_side notitle, \
      lines using "along_m":(is_left(column("leg")) ? column("z_m") : NaN) with lines lw 3 lc rgb left_side notitle, \
-     lines using "along_m":(column("foot") && is_left(column("leg")) ? column("z_m") : NaN) \
+     lines using "along_m":(column("foot") == 1 && is_left(column("leg")) ? column("z_m") : NaN) \
          with points pt 7 ps 0.8 lc rgb left_side notitle, \
      body using "along_m":"z_m" with lines lw 1.6 lc rgb accent title "origin of the base", \
      steps using "along_m":(of_left(column("row")) ? column("z_m") : NaN) with points pt 6 ps 0.6 lw 1.4 \

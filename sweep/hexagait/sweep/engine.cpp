@@ -17,15 +17,35 @@ std::string optional(const std::optional<int>& value) {
   return value ? std::to_string(*value) : "";
 }
 
+// How a walk of either simulator ended, faults apart.
+template <class Summary>
+Outcome outcome(const Summary& s, const Limits& limits) {
+  if (s.fell) return Outcome::fell;
+  if (s.stuck) return Outcome::stuck;
+  if (limits.distance <= 0.0) return Outcome::walked;
+  return s.arrived ? Outcome::arrived : Outcome::late;
+}
+
+bool to_the_end(Outcome outcome) {
+  return outcome == Outcome::arrived || outcome == Outcome::walked;
+}
+
+// Empty if no distance was asked for.
+template <class Summary>
+std::string arrived(const Summary& s, const Limits& limits) {
+  return limits.distance <= 0.0 ? "" : s.arrived ? "1" : "0";
+}
+
 // ---- slice ------------------------------------------------------------------------------------
 
-const std::vector<std::string> kSliceColumns = {"speed_units_per_slice",
-                                                "fraction_of_bound",
-                                                "tripod_after_slices",
-                                                "steps",
-                                                "step_time_slices",
-                                                "sweep_units",
-                                                "hash"};
+const std::vector<Column> kSliceColumns = {
+    {"speed_units_per_slice", "speed", "units per slice"},
+    {"fraction_of_bound", "speed / theoretical bound", ""},
+    {"tripod_after_slices", "slices before the tripod gait", "slices"},
+    {"steps", "steps", ""},
+    {"step_time_slices", "time of a step", "slices"},
+    {"stroke_units", "stroke", "units"},
+    {"hash", "hash", ""}};
 
 sim2d::SliceTerrain slice_terrain(const std::string& text) {
   if (const auto terrain = sim2d::parse_slice_terrain(text)) return *terrain;
@@ -45,17 +65,31 @@ std::string run_slice(const TrialConfig& config) {
                                                    .terrain = slice_terrain(config.terrain),
                                                    .slices = config.limits.slices},
                                                   {.seed = config.seed});
-  return fmt::format("{},{},{},{},{},{},{:016x}", s.speed, s.fraction_of_bound(),
+  return fmt::format("{},,{},{},{},{},{},{},{:016x}", to_string(Outcome::walked), s.speed,
+                     s.fraction_of_bound(),
                      s.tripod_after < 0 ? "" : std::to_string(s.tripod_after), s.lifts, s.step_time,
                      s.sweep, s.hash);
 }
 
 // ---- box2d ------------------------------------------------------------------------------------
 
-const std::vector<std::string> kGenghisColumns = {
-    "speed_m_s",      "walked_to_end",      "fell",   "stuck",         "seconds",  "distance_m",
-    "steps",          "tripod_after_steps", "slip_m", "pitch_max_rad", "searches", "blocked",
-    "contact_losses", "rule1_violations",   "hash"};
+const std::vector<Column> kGenghisColumns = {
+    {"speed_m_s", "speed", "m/s"},
+    {"walked_to_end", "walked to the end", "", true},
+    {"arrived", "arrived", "", true},
+    {"fell", "fell", "", true},
+    {"stuck", "stuck", "", true},
+    {"seconds", "time walked", "s"},
+    {"distance_m", "distance", "m"},
+    {"steps", "steps", ""},
+    {"tripod_after_steps", "steps before the tripod gait", ""},
+    {"slip_m", "slip per step", "m"},
+    {"pitch_max_rad", "largest pitch", "rad"},
+    {"searches", "searches for ground", ""},
+    {"blocked", "blocked advances", ""},
+    {"contact_losses", "contact losses", ""},
+    {"rule1_violations", "violations of rule 1", ""},
+    {"hash", "hash", ""}};
 
 std::string run_genghis(const TrialConfig& config) {
   sim2d::GenghisTrial trial;
@@ -67,29 +101,31 @@ std::string run_genghis(const TrialConfig& config) {
   if (config.limits.distance > 0.0) trial.distance = config.limits.distance;
 
   const recording::GenghisSummary s = recording::simulate(trial);
-  return fmt::format("{},{:d},{:d},{:d},{},{},{},{},{},{},{},{},{},{},{:016x}", s.speed, s.ok(),
-                     s.fell, s.stuck, s.seconds, s.distance, s.steps,
-                     optional(s.tripod_after_steps), s.slip_mean, s.pitch_max, s.side_view.searches,
-                     s.side_view.blocked, s.contact_losses, s.rule1_violations, s.state_hash);
+  const Outcome end = outcome(s, config.limits);
+  return fmt::format("{},,{},{:d},{},{:d},{:d},{},{},{},{},{},{},{},{},{},{},{:016x}",
+                     to_string(end), s.speed, to_the_end(end), arrived(s, config.limits), s.fell,
+                     s.stuck, s.seconds, s.distance, s.steps, optional(s.tripod_after_steps),
+                     s.slip_mean, s.pitch_max, s.side_view.searches, s.side_view.blocked,
+                     s.contact_losses, s.rule1_violations, s.state_hash);
 }
 
 // ---- ode --------------------------------------------------------------------------------------
 
-const std::vector<std::string> kOdeColumns = {"speed_m_s",
-                                              "walked_to_end",
-                                              "fell",
-                                              "stuck",
-                                              "fault",
-                                              "seconds",
-                                              "distance_m",
-                                              "steps",
-                                              "tripod_after_steps",
-                                              "lateral_max_m",
-                                              "heading_max_rad",
-                                              "slip_mean_m",
-                                              "margin_min_m",
-                                              "rule1_violations",
-                                              "hash"};
+const std::vector<Column> kOdeColumns = {{"speed_m_s", "speed", "m/s"},
+                                         {"walked_to_end", "walked to the end", "", true},
+                                         {"arrived", "arrived", "", true},
+                                         {"fell", "fell", "", true},
+                                         {"stuck", "stuck", "", true},
+                                         {"seconds", "time walked", "s"},
+                                         {"distance_m", "distance", "m"},
+                                         {"steps", "steps", ""},
+                                         {"tripod_after_steps", "steps before the tripod gait", ""},
+                                         {"lateral_max_m", "largest lateral error", "m"},
+                                         {"heading_max_rad", "largest heading error", "rad"},
+                                         {"slip_mean_m", "slip per stance", "m"},
+                                         {"margin_min_m", "least stability margin", "m"},
+                                         {"rule1_violations", "violations of rule 1", ""},
+                                         {"hash", "hash", ""}};
 
 std::string run_ode(const TrialConfig& config) {
   recording::Simulation simulation;
@@ -102,10 +138,13 @@ std::string run_ode(const TrialConfig& config) {
   if (config.limits.distance > 0.0) simulation.trial.distance = config.limits.distance;
 
   const walk::Summary s = recording::simulate(*config.robot, simulation);
-  return fmt::format("{},{:d},{:d},{:d},{},{},{},{},{},{},{},{},{},{},{:016x}", s.speed, s.ok(),
-                     s.fell, s.stuck, footstep_gen::to_string(s.fault), s.seconds, s.distance,
-                     s.steps, optional(s.tripod_after_steps), s.lateral_max, s.heading_max,
-                     s.slip_mean, s.margin_min, s.rule1_violations, s.state_hash);
+  const bool fault = s.fault != footstep_gen::Fault::none;
+  const Outcome end = fault && !s.fell && !s.stuck ? Outcome::fault : outcome(s, config.limits);
+  return fmt::format("{},{},{},{:d},{},{:d},{:d},{},{},{},{},{},{},{},{},{},{:016x}",
+                     to_string(end), fault ? footstep_gen::to_string(s.fault) : "", s.speed,
+                     to_the_end(end), arrived(s, config.limits), s.fell, s.stuck, s.seconds,
+                     s.distance, s.steps, optional(s.tripod_after_steps), s.lateral_max,
+                     s.heading_max, s.slip_mean, s.margin_min, s.rule1_violations, s.state_hash);
 }
 
 }  // namespace
@@ -122,7 +161,33 @@ std::string_view to_string(Engine engine) {
   return "";
 }
 
-const std::vector<std::string>& columns(Engine engine) {
+std::string_view to_string(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::arrived:
+      return "arrived";
+    case Outcome::walked:
+      return "walked";
+    case Outcome::late:
+      return "late";
+    case Outcome::fell:
+      return "fell";
+    case Outcome::stuck:
+      return "stuck";
+    case Outcome::fault:
+      return "fault";
+    case Outcome::failed:
+      return "failed";
+    case Outcome::timed_out:
+      return "timed_out";
+  }
+  return "";
+}
+
+std::string_view roughness_label(Engine engine) {
+  return engine == Engine::slice ? "roughness [units per slice]" : "height of the roughness [m]";
+}
+
+const std::vector<Column>& columns(Engine engine) {
   switch (engine) {
     case Engine::slice:
       return kSliceColumns;
@@ -144,6 +209,15 @@ std::string run(const TrialConfig& config) {
       return run_ode(config);
   }
   return "";
+}
+
+std::string no_result(Engine engine, Outcome outcome, std::string_view reason) {
+  std::string cells = fmt::format("{},", to_string(outcome));
+  for (const char letter : reason.substr(0, 200)) {
+    const bool plain = static_cast<unsigned char>(letter) >= 0x20 && letter != ',' && letter != '"';
+    cells += plain ? letter : letter == ',' ? ';' : ' ';
+  }
+  return cells + std::string(columns(engine).size(), ',');
 }
 
 const std::vector<std::string>& rough_terrains(Engine engine) {

@@ -12,10 +12,9 @@
 /// Sweeps: a grid of trials, run by many processes on many machines, with the same bytes as result
 /// whoever ran what, and when.
 ///
-///     sweep file ─ load_sweep ─▶ Sweep ─ trial(k) ─▶ TrialConfig ─ run ─▶ cells     a pure
-///     function Sweep + Shard ─ run_shard: WorkerPool ─▶ Journal                    durable, in any
-///     order Journals ─ merge ─▶ Journal ─ publish ─▶ trials.csv, timings.csv, manifest.json ─▶
-///     report
+///     sweep file ─ load_sweep ─▶ Sweep ─ trial(k) ─▶ TrialConfig ─ run ─▶ cells    a pure function
+///     Sweep + Shard ─ run_shard: WorkerPool ─▶ Journal                    durable, in any order
+///     Journals ─ merge ─▶ Journal ─ publish ─▶ trials.csv, timings.csv, manifest.json ─▶ report
 namespace hexagait::sweep {
 
 /// What simulates a trial.
@@ -47,12 +46,48 @@ struct TrialConfig {
   Limits limits;
 };
 
-/// Names of the cells that run() returns, units in the names. The first is the speed.
-[[nodiscard]] const std::vector<std::string>& columns(Engine engine);
+/// How a trial ended.
+enum class Outcome {
+  arrived,  ///< at the distance that was asked for
+  walked,   ///< to the end of its time; no distance was asked for
+  late,     ///< to the end of its time, which was too short for the distance
+  fell,
+  stuck,
+  fault,      ///< the controller stopped
+  failed,     ///< no result: it threw, or the process that ran it died
+  timed_out,  ///< no result: it took longer than a trial may
+};
+inline constexpr std::array kOutcomes = {Outcome::arrived, Outcome::walked,   Outcome::late,
+                                         Outcome::fell,    Outcome::stuck,    Outcome::fault,
+                                         Outcome::failed,  Outcome::timed_out};
+
+/// As in trials.csv: "arrived", …, "timed_out".
+[[nodiscard]] std::string_view to_string(Outcome outcome);
+
+/// Whether a trial walked on until it had to end: what it measured is not that of an accident.
+[[nodiscard]] constexpr bool walked_on(Outcome outcome) {
+  return outcome == Outcome::arrived || outcome == Outcome::walked || outcome == Outcome::late;
+}
+
+/// A column of measures.
+struct Column {
+  std::string name;         ///< in trials.csv, with its unit: "speed_m_s"
+  std::string label, unit;  ///< for people: "speed", "m/s"; a count has no unit
+  bool yes_no = false;      ///< its cells are 0 or 1, and make a proportion
+};
+
+/// What an engine measures. The first is the speed.
+[[nodiscard]] const std::vector<Column>& columns(Engine engine);
+
+/// What "roughness" counts, with its unit.
+[[nodiscard]] std::string_view roughness_label(Engine engine);
 
 /// Runs one trial: a pure function, the same bytes in every process.
-/// @returns the cells, one per column, joined by commas; what was not reached is empty
+/// @returns outcome, reason, and a cell per column, joined by commas; what was not reached is empty
 [[nodiscard]] std::string run(const TrialConfig& config);
+
+/// The same cells for a trial that has no result, all measures empty.
+[[nodiscard]] std::string no_result(Engine engine, Outcome outcome, std::string_view reason);
 
 /// Kinds of terrain that a roughness completes, "boxes" of "boxes:0.05".
 [[nodiscard]] const std::vector<std::string>& rough_terrains(Engine engine);

@@ -4,6 +4,7 @@
 
 #include <hexagait/figures/staged_files.hpp>
 #include <hexagait/sweep/job_files.hpp>
+#include <hexagait/sweep/made_directory.hpp>
 #include <hexagait/text/invalid_input.hpp>
 
 namespace hexagait::sweep {
@@ -19,14 +20,18 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
-// Opens every script. HEXAGAIT names another program, HEXAGAIT_SWEEP a sweep file that was moved.
+// Opens every script, whose working directory is that of the results. HEXAGAIT names another
+// program, HEXAGAIT_SWEEP a sweep file that was moved, HEXAGAIT_FOLDER where its robots are.
 constexpr const char* kPreamble = R"(set -euo pipefail
 hexagait=${{HEXAGAIT:-{program}}}
 sweep=${{HEXAGAIT_SWEEP:-{sweep}}}
+folder=${{HEXAGAIT_FOLDER:-{folder}}}
+results=$PWD
 shards={shards}
 # shard K: runs the K-th of them, or what an earlier run of it left to do.
 shard() {{
-  "$hexagait" sweep "$sweep" --shard "$1/$shards" --jobs {jobs} --out "shard-$1" --quiet
+  (cd "$folder" && "$hexagait" sweep "$sweep" --shard "$1/$shards" --jobs {jobs} \
+    --out "$results/shard-$1" --quiet --yes)
 }}
 merge() {{
   "$hexagait" merge $(seq -f 'shard-%.0f' "$shards") --out merged
@@ -35,7 +40,7 @@ merge() {{
 
 std::string preamble(const JobPlan& plan) {
   return fmt::format(fmt::runtime(kPreamble), fmt::arg("program", quoted(plan.program)),
-                     fmt::arg("sweep", quoted(plan.sweep)),
+                     fmt::arg("sweep", quoted(plan.sweep)), fmt::arg("folder", quoted(plan.folder)),
                      fmt::arg("shards", plan.shards), fmt::arg("jobs", plan.jobs));
 }
 
@@ -87,24 +92,25 @@ void write_parallel(figures::StagedFiles& files, const JobPlan& plan) {
       .finish(
           "# Runs the shards, as many at once as there are cores, or as the options say, which\n"
           "# go to GNU parallel: --jobs 4, or --sshlogin with a directory that all share.\n" +
-          preamble(plan) + kHere +
-          "export -f shard\nexport hexagait sweep shards\n"
+          std::string(kHere) + preamble(plan) +
+          "export -f shard\nexport hexagait sweep folder results shards\n"
           "seq \"$shards\" | parallel --will-cite --halt soon,fail=1 --joblog parallel.log "
-          "--workdir \"$PWD\" --env shard --env hexagait --env sweep --env shards \"$@\" shard\n"
+          "--workdir \"$PWD\" --env shard --env hexagait --env sweep --env folder --env results "
+          "--env shards \"$@\" shard\n"
           "merge\n");
 }
 
 void write_mpi(figures::StagedFiles& files, const JobPlan& plan) {
   Script(files, "rank.sh")
       .finish(
-          "# One process of mpi.sh: every so-manieth shard. Knows Open MPI, MPICH and Slurm.\n" +
-          preamble(plan) + kHere +
+          "# One process of mpi.sh: its share of the shards. Knows Open MPI, MPICH and Slurm.\n" +
+          std::string(kHere) + preamble(plan) +
           "rank=${OMPI_COMM_WORLD_RANK:-${PMI_RANK:-${SLURM_PROCID:?no rank: start mpi.sh}}}\n"
           "size=${OMPI_COMM_WORLD_SIZE:-${PMI_SIZE:-${SLURM_NTASKS:?no number of ranks}}}\n"
           "for ((k = rank + 1; k <= shards; k += size)); do shard \"$k\"; done\n");
   Script(files, "mpi.sh")
       .finish("# Runs the shards by mpirun, which gets the options: -np 16 --hostfile hosts.\n" +
-              preamble(plan) + kHere +
+              std::string(kHere) + preamble(plan) +
               "if (($# == 0)); then set -- -np \"$shards\"; fi\n"
               "\"${MPIRUN:-mpirun}\" \"$@\" \"$PWD/rank.sh\"\n"
               "merge\n");
@@ -120,11 +126,7 @@ Scheduler parse_scheduler(const std::string& text) {
 }
 
 std::string write_job_files(Scheduler scheduler, const JobPlan& plan, const fs::path& directory) {
-  std::error_code error;
-  fs::create_directories(directory, error);
-  if (error)
-    throw InvalidInput(
-        fmt::format("can't make the directory '{}': {}", directory.string(), error.message()));
+  MadeDirectory made(directory);
   figures::StagedFiles files(directory);
   switch (scheduler) {
     case Scheduler::slurm:
@@ -138,6 +140,7 @@ std::string write_job_files(Scheduler scheduler, const JobPlan& plan, const fs::
       break;
   }
   files.publish();
+  made.keep();
   return (directory / files.names().back()).string();
 }
 

@@ -19,6 +19,7 @@ enum class Scheduler {
 struct JobPlan {
   std::string program;  ///< absolute path of the command, unless $HEXAGAIT says otherwise
   std::string sweep;    ///< absolute path of the sweep file
+  std::string folder;   ///< absolute path of the directory to which paths in it are relative
   std::uint64_t shards = 1;
   int jobs = 1;  ///< processes per shard
 };

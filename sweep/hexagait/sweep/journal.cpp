@@ -3,20 +3,29 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <fstream>
 #include <hexagait/sim/fnv1a.hpp>
 #include <hexagait/sweep/journal.hpp>
+#include <hexagait/sweep/made_directory.hpp>
 #include <hexagait/text/invalid_input.hpp>
+#include <thread>
 
 namespace hexagait::sweep {
 namespace {
 
-constexpr std::size_t kDigits = 16;  // of a checksum
+using std::chrono::milliseconds;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kDigits = 16;          // of a checksum
+constexpr std::size_t kBlock = 1U << 15;     // read at once [byte]
+constexpr milliseconds kLinePatience{1000};  // until a line is synced
+// The workers of a process that was killed hold its journal for as long as they take to die.
+constexpr milliseconds kLockPatience{1000};
 
 std::string checked(std::string_view content) {
   return fmt::format("{:016x} {}\n", fnv1a(content), content);
@@ -33,12 +42,6 @@ std::optional<std::string_view> content(std::string_view line) {
 // The whole number that a text begins with.
 bool number(std::string_view text, std::uint64_t& value) {
   return std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc();
-}
-
-double seconds_now() {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 // Writes all of it. @returns errno, or 0
@@ -62,7 +65,7 @@ std::string journal_line(std::uint64_t position, std::string_view wall, std::str
   return checked(fmt::format("{} {} {}", position, wall, row));
 }
 
-std::string journal_title(std::string_view title) { return checked(title); }
+std::string journal_header(std::string_view header) { return checked(header); }
 
 bool has_journal(const std::filesystem::path& directory) {
   std::ifstream file(journal_path(directory), std::ios::binary);
@@ -71,19 +74,34 @@ bool has_journal(const std::filesystem::path& directory) {
 }
 
 JournalReader::JournalReader(const std::filesystem::path& directory)
-    : path_(journal_path(directory)), file_(path_, std::ios::binary) {
-  if (!file_)
+    : path_(journal_path(directory)) {
+  if (!std::ifstream(path_))
     throw InvalidInput(fmt::format("{}: can't be read; '{}' is not the directory of a sweep",
                                    path_.string(), directory.string()));
-  if (!read_line(title_))
+  if (!read_line(header_))
     throw InvalidInput(
         fmt::format("{}: has no first line; remove it to begin again", path_.string()));
 }
 
+// Adds what follows in the file to the block.
+bool JournalReader::read_block() {
+  block_.erase(0, used_);
+  used_ = 0;
+  std::ifstream file(path_, std::ios::binary);
+  file.seekg(static_cast<std::streamoff>(end_ + block_.size()));
+  const std::size_t before = block_.size();
+  block_.resize(before + kBlock);
+  file.read(block_.data() + before, kBlock);
+  block_.resize(before + static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+  return block_.size() > before;
+}
+
 bool JournalReader::read_line(std::string& result) {
-  std::string line;
-  if (!std::getline(file_, line) || file_.eof()) return false;
+  std::size_t end = 0;
+  while ((end = block_.find('\n', used_)) == std::string::npos)
+    if (!read_block()) return false;
   ++line_;
+  const std::string_view line = std::string_view(block_).substr(used_, end - used_);
   const std::optional<std::string_view> rest = content(line);
   if (!rest)
     throw InvalidInput(fmt::format(
@@ -92,6 +110,7 @@ bool JournalReader::read_line(std::string& result) {
         path_.string(), line_));
   result = *rest;
   end_ += line.size() + 1;
+  used_ = end + 1;
   return true;
 }
 
@@ -126,27 +145,60 @@ std::optional<Entry> JournalReader::next() {
   return entry;
 }
 
-Journal::Journal(const std::filesystem::path& directory, const std::string& title,
-                 std::uint64_t end)
-    : end_(end), synced_(seconds_now()) {
-  const std::filesystem::path path = journal_path(directory);
-  const auto refuse = [&](const std::string& why) {
-    if (file_ >= 0) close(file_);
-    throw InvalidInput(fmt::format("{}: {}", path.string(), why));
+std::string lock_failure(int error) {
+  switch (error) {
+    case EWOULDBLOCK:
+      return "another process is writing it; wait for its end, or give another --out";
+    case EINVAL:
+    case ENOSYS:
+    case ENOTSUP:
+    case ENOLCK:
+      return fmt::format(
+          "its file system can't lock files ({}), so two sweeps could write it at once; give an "
+          "--out on another",
+          std::strerror(error));
+    default:
+      return fmt::format("can't be locked: {}", std::strerror(error));
+  }
+}
+
+Journal::Journal(const std::filesystem::path& directory) : Journal(directory, fdatasync) {}
+
+Journal::Journal(const std::filesystem::path& directory, Sync sync)
+    : path_(journal_path(directory)), sync_(sync) {
+  file_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
+  if (file_ < 0)
+    throw InvalidInput(
+        fmt::format("{}: can't be written: {}", path_.string(), std::strerror(errno)));
+  const Clock::time_point deadline = Clock::now() + kLockPatience;
+  while (flock(file_, LOCK_EX | LOCK_NB) != 0) {
+    const int error = errno;
+    if (error == EWOULDBLOCK && Clock::now() < deadline) {
+      std::this_thread::sleep_for(milliseconds(20));
+      continue;
+    }
+    if (error == EINTR) continue;
+    close(file_);
+    throw InvalidInput(fmt::format("{}: {}", path_.string(), lock_failure(error)));
+  }
+}
+
+void Journal::resume(const std::string& header, std::uint64_t end) {
+  const auto refuse = [this](const std::string& why) {
+    if (end_ == 0) unlink(path_.c_str());  // nothing is in it
+    throw InvalidInput(fmt::format("{}: can't be written: {}", path_.string(), why));
   };
-  file_ = open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
-  if (file_ < 0) refuse(fmt::format("can't be written: {}", std::strerror(errno)));
-  if (flock(file_, LOCK_EX | LOCK_NB) != 0)
-    refuse("another process is writing it; wait for its end, or give another --out");
+  end_ = end;
   if (ftruncate(file_, static_cast<off_t>(end)) != 0 || lseek(file_, 0, SEEK_END) < 0)
-    refuse(fmt::format("can't be written: {}", std::strerror(errno)));
+    refuse(std::strerror(errno));
   if (end > 0) return;
-  if (const auto failure = append(journal_title(title))) refuse("can't be written: " + *failure);
-  sync();
+  if (const auto failure = append(journal_header(header))) refuse(*failure);
+  if (const auto failure = sync()) refuse(*failure);
+  sync_directory(path_.parent_path());
 }
 
 Journal::~Journal() {
-  sync();
+  static_cast<void>(sync());
   close(file_);
 }
 
@@ -157,13 +209,20 @@ std::optional<std::string> Journal::append(std::string_view lines) {
     return std::strerror(error);
   }
   end_ += lines.size();
-  if (seconds_now() - synced_ > 1.0) sync();
-  return {};
+  if (!waiting_since_) waiting_since_ = Clock::now();
+  return sync_if_due();
 }
 
-void Journal::sync() {
-  fdatasync(file_);
-  synced_ = seconds_now();
+std::optional<std::string> Journal::sync_if_due() {
+  if (!waiting_since_ || Clock::now() - *waiting_since_ < kLinePatience) return {};
+  return sync();
+}
+
+std::optional<std::string> Journal::sync() {
+  if (!waiting_since_) return {};
+  waiting_since_.reset();
+  if (sync_(file_) == 0 || errno == EINVAL || errno == ENOTSUP) return {};  // no file system syncs
+  return fmt::format("its bytes did not reach the disk: {}", std::strerror(errno));
 }
 
 bool DoneWindow::done(std::uint64_t position) const {

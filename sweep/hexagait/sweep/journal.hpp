@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <string>
@@ -31,16 +31,17 @@ inline constexpr std::uint64_t kWindow = 1U << 16;
                                        std::string_view row);
 
 /// The first line of a journal: the checksum, and what is swept, as JSON.
-[[nodiscard]] std::string journal_title(std::string_view title);
+[[nodiscard]] std::string journal_header(std::string_view header);
 
-/// Reads a journal, in which trials stand as they finished, in the order of their positions.
+/// Reads a journal, in which trials stand as they finished, in the order of their positions. Its
+/// file is open only while a block of it is read, so there may be more readers than descriptors.
 class JournalReader {
  public:
   /// @throws InvalidInput  if there is none, or its first line is damaged
   explicit JournalReader(const std::filesystem::path& directory);
 
   /// The first line: what is swept, as JSON.
-  [[nodiscard]] const std::string& title() const { return title_; }
+  [[nodiscard]] const std::string& header() const { return header_; }
 
   /// The next finished trial. @throws InvalidInput  for a damaged line, or a trial that is there
   /// twice. A last line without an end is one that was never finished, and passed over.
@@ -50,13 +51,15 @@ class JournalReader {
   [[nodiscard]] std::uint64_t end() const { return end_; }
 
  private:
+  [[nodiscard]] bool read_block();
   [[nodiscard]] bool read_line(std::string& content);
   [[nodiscard]] bool read_entry();
 
   std::filesystem::path path_;
-  std::ifstream file_;
-  std::string title_;
+  std::string block_;  // bytes of the file from end_ on
+  std::string header_;
   std::uint64_t line_ = 0, end_ = 0;
+  std::size_t used_ = 0;                  // of block_, before end_
   std::map<std::uint64_t, Entry> ahead_;  // read, and not yet asked for, by position
   std::uint64_t next_ = 0;                // all positions before it were asked for
 };
@@ -64,25 +67,42 @@ class JournalReader {
 /// A file to which lines are added. A line is in it whole or, after a failure, is cut off again.
 class Journal {
  public:
-  /// Begins the journal of a directory, or goes on with it.
-  /// @param end  where its good lines end; what follows is cut off
-  /// @throws InvalidInput  if it can't be written, or another process is writing it
-  Journal(const std::filesystem::path& directory, const std::string& title, std::uint64_t end);
+  /// Waits until a file's bytes are on the disk; as fdatasync().
+  using Sync = int (*)(int file);
+
+  /// Opens or makes the journal of a directory, and holds it: read it only from now on.
+  /// @throws InvalidInput  if it can't be written, or held
+  explicit Journal(const std::filesystem::path& directory);
+  Journal(const std::filesystem::path& directory, Sync sync);
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
-  /// Adds whole lines, safe from the end of this process at once, and from that of the machine a
-  /// second later. @returns why they could not be added, else nothing
+  /// Goes on with it, or begins it by its first line.
+  /// @param end  where its good lines end; what follows is cut off. 0: there are none
+  /// @throws InvalidInput  if it can't be written
+  void resume(const std::string& header, std::uint64_t end);
+
+  /// Adds whole lines, safe from the end of this process at once.
+  /// @returns why they could not be added, else nothing
   [[nodiscard]] std::optional<std::string> append(std::string_view lines);
 
- private:
-  void sync();
+  /// Makes all lines safe from the end of the machine. @returns why not, else nothing
+  [[nodiscard]] std::optional<std::string> sync();
 
+  /// The same if a line has waited for it longer than a second: to be called often.
+  [[nodiscard]] std::optional<std::string> sync_if_due();
+
+ private:
+  std::filesystem::path path_;
+  Sync sync_;
   int file_ = -1;
   std::uint64_t end_ = 0;
-  double synced_ = 0.0;
+  std::optional<std::chrono::steady_clock::time_point> waiting_since_;  // the first line not synced
 };
+
+/// Why a file can't be held, from the errno of flock().
+[[nodiscard]] std::string lock_failure(int error);
 
 /// Whether a directory has a journal, with at least its first line.
 [[nodiscard]] bool has_journal(const std::filesystem::path& directory);

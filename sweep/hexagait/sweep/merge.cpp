@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <functional>
 #include <hexagait/figures/staged_files.hpp>
+#include <hexagait/sweep/header.hpp>
 #include <hexagait/sweep/journal.hpp>
+#include <hexagait/sweep/made_directory.hpp>
 #include <hexagait/sweep/results.hpp>
-#include <hexagait/sweep/title.hpp>
 #include <hexagait/text/invalid_input.hpp>
+#include <queue>
 
 namespace hexagait::sweep {
 namespace {
@@ -21,28 +23,6 @@ struct Part {
   std::string name;
   JournalReader journal;
   std::optional<Entry> next;
-};
-
-// A directory that is made, and removed again if nothing comes into it.
-class MadeDirectory {
- public:
-  explicit MadeDirectory(const fs::path& directory) : directory_(directory) {
-    std::error_code error;
-    made_ = fs::create_directories(directory, error);
-    if (error)
-      throw InvalidInput(
-          fmt::format("can't make the directory '{}': {}", directory.string(), error.message()));
-  }
-  ~MadeDirectory() {
-    std::error_code ignored;
-    if (made_) fs::remove(directory_, ignored);  // succeeds only if it is empty
-  }
-  MadeDirectory(const MadeDirectory&) = delete;
-  MadeDirectory& operator=(const MadeDirectory&) = delete;
-
- private:
-  fs::path directory_;
-  bool made_ = false;
 };
 
 // Ranges of trials of which something is said, the first of them in full.
@@ -83,36 +63,46 @@ class Ranges {
 std::string shards(const std::vector<Part>& parts) {
   std::vector<std::string> words;
   for (const Part& part : parts) {
-    const Shard shard = parse_title(part.journal.title(), part.name).shard;
+    const Shard shard = parse_header(part.journal.header(), part.name).shard;
     words.push_back(fmt::format("{}/{}", shard.index + 1, shard.count));
   }
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-void require_one_configuration(const std::vector<Part>& parts) {
+// Of the same configuration and provenance: rows of other physics are rows of another sweep.
+void require_one_sweep(const std::vector<Part>& parts) {
+  constexpr std::size_t kShown = 10;
   std::vector<std::string> lines;
   for (const Part& part : parts)
     for (const std::string& line :
-         differences(parts.front().journal.title(), part.journal.title(), false))
+         differences(parts.front().journal.header(), part.journal.header(), false))
       lines.push_back(fmt::format("'{}' against '{}': {}", parts.front().name, part.name, line));
-  if (!lines.empty())
-    throw InvalidInput(
-        fmt::format("these are parts of different sweeps:\n  {}", fmt::join(lines, "\n  ")));
+  if (lines.empty()) return;
+  const std::size_t more = lines.size() > kShown ? lines.size() - kShown : 0;
+  lines.resize(lines.size() - more);
+  if (more > 0) lines.push_back(fmt::format("and {} more differences", more));
+  throw InvalidInput(
+      fmt::format("these are parts of different sweeps:\n  {}", fmt::join(lines, "\n  ")));
 }
 
 // Writes the trials of all parts in order; tells what is missing or double.
 std::vector<std::string> interleave(std::vector<Part>& parts, std::uint64_t whole,
                                     std::ostream& journal) {
   Ranges missing("missing"), twice("there twice: in ");
+  using Next = std::pair<std::uint64_t, std::size_t>;  // its trial, and the part that has it
+  std::priority_queue<Next, std::vector<Next>, std::greater<>> queue;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (parts[i].next) queue.emplace(parts[i].next->trial, i);
+
   std::uint64_t expected = 0;
   std::string last_part;
-  for (;;) {
-    const auto first = std::ranges::min_element(parts, {}, [](const Part& part) {
-      return part.next ? part.next->trial : ~std::uint64_t{0};
-    });
-    if (!first->next) break;
+  while (!queue.empty()) {
+    Part* const first = &parts[queue.top().second];
     const Entry entry = std::move(*first->next);
     first->next = first->journal.next();
+    const std::size_t index = queue.top().second;
+    queue.pop();
+    if (first->next) queue.emplace(first->next->trial, index);
     if (entry.trial < expected) {
       twice.add(entry.trial, entry.trial, fmt::format("'{}' and '{}'", last_part, first->name));
       continue;
@@ -140,17 +130,17 @@ Published merge(const std::vector<fs::path>& directories, const fs::path& direct
                                      directory.string()));
     parts.emplace_back(part);
   }
-  require_one_configuration(parts);
-  const std::string& title = parts.front().journal.title();
-  const Title known = parse_title(title, parts.front().name);
+  require_one_sweep(parts);
+  const std::string& header = parts.front().journal.header();
+  const Header known = parse_header(header, parts.front().name);
 
-  const MadeDirectory made(directory);
+  MadeDirectory made(directory);
   if (has_journal(directory))
-    require_same(whole_title(title), JournalReader(directory).title(), directory);
+    require_same(whole_header(header), JournalReader(directory).header(), directory);
   try {
     figures::StagedFiles files(directory);
     std::ofstream journal = files.create(journal_path("").string());
-    journal << journal_title(whole_title(title));
+    journal << journal_header(whole_header(header));
     const std::vector<std::string> problems = interleave(parts, known.trials, journal);
     if (!problems.empty())
       throw InvalidInput(
@@ -158,6 +148,7 @@ Published merge(const std::vector<fs::path>& directories, const fs::path& direct
                       shards(parts), known.trials, fmt::join(problems, "\n  ")));
     journal.close();
     files.publish();
+    made.keep();
   } catch (const std::ios::failure&) {
     throw std::runtime_error(
         fmt::format("can't write into '{}'; is the disk full?", directory.string()));

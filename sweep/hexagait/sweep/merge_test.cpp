@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <sys/resource.h>
+
 #include <hexagait/sweep/report.hpp>
+#include <nlohmann/json.hpp>
 
 #include "scratch_sweep.hpp"
 
@@ -65,8 +68,46 @@ TEST_F(Merging, RefusesPartsOfDifferentSweeps) {
   EXPECT_THAT(refusal([&] {
                 merge({at("a"), at("b")}, at("out"));
               }),
-              AllOf(HasSubstr("different sweeps"), HasSubstr("seeds:"), Not(HasSubstr("shard:"))));
+              AllOf(HasSubstr("different sweeps"), HasSubstr("seeds.master: 1 against 2"),
+                    Not(HasSubstr("shard:"))));
   EXPECT_THAT(refusal([&] { merge({at("a"), at("b")}, at("a")); }), HasSubstr("one of the parts"));
+}
+
+// One message names the field, wherever in the header it is.
+TEST_F(Merging, RefusesPartsOfDifferentPhysicsNamingTheField) {
+  const Sweep sweep = slices(4);
+  run(sweep, "a", 1, {0, 2});
+  run(sweep, "b", 1, {1, 2});
+  const std::string journal = content(journal_path(at("b")));
+  const std::size_t end = journal.find('\n');
+  auto header = nlohmann::ordered_json::parse(journal.substr(17, end - 17));
+  header["libraries"]["ODE"] = "0.13";
+  header["physics"]["friction"] = 0.5;
+  std::ofstream(journal_path(at("b")), std::ios::binary)
+      << journal_header(header.dump()) << journal.substr(end + 1);
+  EXPECT_THAT(
+      refusal([&] {
+        merge({at("a"), at("b")}, at("out"));
+      }),
+      AllOf(HasSubstr("libraries.ODE: \""), HasSubstr("against \"0.13\""),
+            HasSubstr("physics: nothing against {\"friction\":0.5}"), Not(HasSubstr("compiler"))));
+}
+
+TEST_F(Merging, NeedsNoMoreDescriptorsThanAFewHoweverManyTheParts) {
+  const Sweep sweep = slices(4);  // 12 groups
+  std::vector<std::filesystem::path> parts;
+  for (std::uint64_t k = 0; k < 12; ++k) {
+    parts.push_back(at("part" + std::to_string(k)));
+    run(sweep, "part" + std::to_string(k), 1, {k, 12});
+  }
+  rlimit before{};
+  getrlimit(RLIMIT_NOFILE, &before);
+  rlimit few = before;
+  few.rlim_cur = 10;
+  setrlimit(RLIMIT_NOFILE, &few);
+  const std::string whole = merged(parts, at("whole"));
+  setrlimit(RLIMIT_NOFILE, &before);
+  EXPECT_EQ(whole, run(sweep, "one"));
 }
 
 // The end of the journal is cut in a line: that trial is missing. A line within it that was changed
@@ -93,7 +134,8 @@ using JournalOrder = ScratchSweep;
 // Lines in reverse, as far apart as the window allows, come out in order.
 TEST_F(JournalOrder, IsRestoredWithinTheWindow) {
   {
-    Journal journal(at(""), "{}", 0);
+    Journal journal(at(""));
+    journal.resume("{}", 0);
     for (std::uint64_t block = 0; block < 3; ++block) {
       std::string text;
       for (std::uint64_t k = kWindow; k-- > 0;) {
@@ -129,7 +171,7 @@ TEST_F(Reporting, AveragesAndComparesPairwise) {
   for (std::uint64_t k = 0; k < 60; ++k) {  // the first terrain
     std::istringstream cells(row(sweep, k));
     std::string cell;
-    for (int i = 0; i < 7; ++i) std::getline(cells, cell, ',');
+    for (int i = 0; i < 9; ++i) std::getline(cells, cell, ',');
     if (k % 3 < 2) sum[k % 3] += std::stod(cell) / 20.0;
   }
   const Report report = make_report(at("a"), "");

@@ -6,10 +6,10 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <hexagait/sweep/header.hpp>
 #include <hexagait/sweep/journal.hpp>
 #include <hexagait/sweep/report.hpp>
 #include <hexagait/sweep/spelling.hpp>
-#include <hexagait/sweep/title.hpp>
 #include <hexagait/text/invalid_input.hpp>
 #include <nlohmann/json.hpp>
 
@@ -22,7 +22,7 @@ using statistics::Estimate;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // Columns that every trials.csv has in front.
-enum Column : std::size_t { trial, controller, robot, terrain, roughness, seed, first_measure };
+enum Cell : std::size_t { trial, controller, robot, terrain, roughness, seed, first_measure = 8 };
 
 std::vector<std::string> split(const std::string& line) {
   std::vector<std::string> cells;
@@ -108,8 +108,7 @@ std::string cell(const std::optional<statistics::Estimate>& estimate) {
   if (!estimate) return "none";
   return std::isinf(estimate->half_width)
              ? fmt::format("{:.5g}", estimate->mean)
-             : fmt::format("{:.5g} ± {:.2g}", estimate->mean,
-                           estimate->half_width);
+             : fmt::format("{:.5g} ± {:.2g}", estimate->mean, estimate->half_width);
 }
 
 ordered_json json(const std::optional<statistics::Estimate>& estimate) {
@@ -126,8 +125,8 @@ ordered_json json(const std::optional<statistics::Estimate>& estimate) {
 }  // namespace
 
 Report make_report(const std::filesystem::path& directory, const std::string& measure) {
-  const Title title =
-      parse_title(JournalReader(directory).title(), journal_path(directory).string());
+  const Header header =
+      parse_header(JournalReader(directory).header(), journal_path(directory).string());
   std::ifstream file(directory / "trials.csv");
   std::string text;
   if (!std::getline(file, text))
@@ -136,7 +135,7 @@ Report make_report(const std::filesystem::path& directory, const std::string& me
                     "goes on with it",
                     directory.string()));
 
-  Report report{directory.string(), measure.empty() ? title.measure : measure, {}, {}};
+  Report report{directory.string(), measure.empty() ? header.measure : measure, {}, {}};
   const std::vector<std::string> columns = split(text);
   const auto column = std::ranges::find(columns, report.measure);
   if (column == columns.end())

@@ -31,10 +31,8 @@ bool one_kind(const Report& report) {
 // A value and the ends of its interval, or three empty cells.
 std::string cells(const std::optional<statistics::Estimate>& estimate) {
   if (!estimate) return ",,";
-  if (std::isinf(estimate->half_width))
-    return fmt::format("{0},{0},{0}", estimate->mean);
-  return fmt::format("{},{},{}", estimate->mean, estimate->lower(),
-                     estimate->upper());
+  if (std::isinf(estimate->half_width)) return fmt::format("{0},{0},{0}", estimate->mean);
+  return fmt::format("{},{},{}", estimate->mean, estimate->lower(), estimate->upper());
 }
 
 // One curve: a robot's controller. Its rows stand together in report.csv.

@@ -5,9 +5,10 @@
 #include <chrono>
 #include <hexagait/figures/staged_files.hpp>
 #include <hexagait/sim/fnv1a.hpp>
+#include <hexagait/sweep/header.hpp>
 #include <hexagait/sweep/journal.hpp>
+#include <hexagait/sweep/made_directory.hpp>
 #include <hexagait/sweep/results.hpp>
-#include <hexagait/sweep/title.hpp>
 
 namespace hexagait::sweep {
 namespace {
@@ -39,10 +40,10 @@ class HashedFile {
 };
 
 Published write(JournalReader& journal, const fs::path& directory) {
-  const Title title = parse_title(journal.title(), journal_path(directory).string());
+  const Header header = parse_header(journal.header(), journal_path(directory).string());
   figures::StagedFiles files(directory);
   HashedFile trials(files.create("trials.csv")), timings(files.create("timings.csv"));
-  trials.line(title.header);
+  trials.line(header.columns);
   timings.line("trial,wall_s");
   Published published;
   double wall = 0.0;
@@ -51,14 +52,16 @@ Published write(JournalReader& journal, const fs::path& directory) {
     timings.line(fmt::format("{},{}", entry->trial, entry->wall));
     wall += std::strtod(entry->wall.c_str(), nullptr);
     ++published.trials;
+    published.without_result += has_no_result(entry->row) ? 1 : 0;
   }
   trials.close();
   timings.close();
   published.rows_hash = trials.hash();
   std::ofstream manifest = files.create("manifest.json");
-  manifest << to_manifest(journal.title(), published.trials, published.rows_hash, wall) << '\n';
+  manifest << to_manifest(journal.header(), published.trials, published.rows_hash, wall) << '\n';
   manifest.close();
   files.publish();
+  sync_directory(directory);
   return published;
 }
 

@@ -11,11 +11,14 @@ namespace hexagait::sweep {
 /// What publish() wrote.
 struct Published {
   std::uint64_t trials = 0;
-  std::uint64_t rows_hash = 0;  ///< FNV-1a of trials.csv
+  std::uint64_t rows_hash = 0;       ///< FNV-1a of trials.csv
+  std::uint64_t without_result = 0;  ///< of the trials, those that failed or timed out
 };
 
 /// Writes what a journal has, in the order of the trials: trials.csv, timings.csv (all that depends
-/// on the machine's speed) and manifest.json. All of them appear, or none.
+/// on the machine's speed) and manifest.json. All are written before the first takes its place; then
+/// each appears at once, manifest.json last: whoever finds it has all three, unless the power failed
+/// or the disk broke in between. The journal has everything, so publish() again mends that.
 /// @throws InvalidInput        if the journal is damaged
 /// @throws std::runtime_error  if they can't be written
 Published publish(const std::filesystem::path& directory);

@@ -4,11 +4,13 @@
 #include <signal.h>
 
 #include <algorithm>
+#include <deque>
+#include <hexagait/sweep/header.hpp>
 #include <hexagait/sweep/journal.hpp>
+#include <hexagait/sweep/made_directory.hpp>
 #include <hexagait/sweep/run_shard.hpp>
-#include <hexagait/sweep/title.hpp>
 #include <hexagait/sweep/worker_pool.hpp>
-#include <hexagait/text/invalid_input.hpp>
+#include <map>
 
 namespace hexagait::sweep {
 namespace {
@@ -19,23 +21,31 @@ constexpr double kChunkSeconds = 0.05;  // a chunk should take, so that messages
 constexpr std::uint64_t kMaxChunk = 4096;
 constexpr milliseconds kTick{100};      // how often the stop flag is looked at
 constexpr milliseconds kFarewell{250};  // what a chunk of quick trials gets to finish when stopped
-constexpr std::size_t kMaxRanges = 20, kMaxFailures = 10;
+constexpr std::size_t kMaxRanges = 20;
+
+constexpr int kLives = 2;  // of processes that a trial may take before it is blamed
 
 // The journal's line of a trial.
-std::string finished_trial(const Sweep& sweep, const Shard& shard, std::uint64_t position) {
+std::string finished_trial(const Sweep& sweep, const Shard& shard, const RunOptions& options,
+                           std::uint64_t position) {
   const auto begin = std::chrono::steady_clock::now();
-  const std::string text = row(sweep, trial_at(sweep, shard, position));
+  const std::string text = options.row(sweep, trial_at(sweep, shard, position));
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   return journal_line(position, fmt::format("{:.6f}", wall.count()), text);
 }
 
-// Deals out the positions that are not done, in rising order, each once.
+// Deals out the positions that are not done, in rising order; those that came back first.
 class Dealer {
  public:
   Dealer(DoneWindow done, std::uint64_t whole) : done_(std::move(done)), whole_(whole) {}
 
   /// The next chunk; its count is 0 if there is none, for now or at all.
   [[nodiscard]] Chunk deal() {
+    if (!again_.empty()) {
+      const Chunk chunk{again_.front(), 1};
+      again_.pop_front();
+      return chunk;
+    }
     next_ = std::max(next_, done_.low());
     const std::uint64_t end = std::min(whole_, done_.low() + kWindow);
     while (next_ < end && done_.done(next_)) ++next_;
@@ -55,28 +65,35 @@ class Dealer {
     size_ = std::min(static_cast<std::uint64_t>(fit), 2 * size_);
   }
 
+  // A chunk that came to nothing: its trials are dealt again, each alone.
+  void take_back(const Chunk& chunk) {
+    for (std::uint64_t k = 0; k < chunk.count; ++k) again_.push_back(chunk.first + k);
+  }
+
   void mark(std::uint64_t position) { done_.mark(position); }
   [[nodiscard]] const DoneWindow& done() const { return done_; }
 
  private:
   DoneWindow done_;
   std::uint64_t whole_, next_ = 0, size_ = 1;
+  std::deque<std::uint64_t> again_;
 };
 
 // What the journal has already, if it is of this sweep.
 struct Past {
   DoneWindow done;
-  std::uint64_t finished = 0, end = 0;
+  std::uint64_t finished = 0, without_result = 0, end = 0;
 };
 
-Past read_past(const std::filesystem::path& directory, const std::string& title) {
+Past read_past(const std::filesystem::path& directory, const std::string& header) {
   Past past;
   if (!has_journal(directory)) return past;
   JournalReader reader(directory);
-  require_same(title, reader.title(), directory);
+  require_same(header, reader.header(), directory);
   while (const std::optional<Entry> entry = reader.next()) {
     past.done.mark(entry->position);
     ++past.finished;
+    past.without_result += has_no_result(entry->row) ? 1 : 0;
   }
   past.end = reader.end();
   return past;
@@ -92,9 +109,15 @@ std::uint64_t first_number(std::string_view line) {
 // One run of a shard: hands out chunks and puts the answers into the journal.
 class Run {
  public:
-  Run(const RunOptions& options, WorkerPool& pool, Journal& journal, Dealer& dealer,
-      RunOutcome& outcome)
-      : options_(options), pool_(pool), journal_(journal), dealer_(dealer), outcome_(outcome) {}
+  Run(const Sweep& sweep, const Shard& shard, const RunOptions& options, WorkerPool& pool,
+      Journal& journal, Dealer& dealer, RunOutcome& outcome)
+      : sweep_(sweep),
+        shard_(shard),
+        options_(options),
+        pool_(pool),
+        journal_(journal),
+        dealer_(dealer),
+        outcome_(outcome) {}
 
   void to_the_end() {
     deal();
@@ -106,6 +129,7 @@ class Run {
     const auto deadline = std::chrono::steady_clock::now() + kFarewell;
     while (pool_.busy() > 0 && !full_ && std::chrono::steady_clock::now() < deadline)
       collect(milliseconds(20));
+    refuse(journal_.sync());
   }
 
  private:
@@ -123,39 +147,60 @@ class Run {
 
   void collect(milliseconds patience) {
     for (const Answer& answer : pool_.wait(patience)) {
+      if (answer.end != Answer::End::finished) {
+        judge(answer);
+        continue;
+      }
       dealer_.finish(answer);
-      if (!answer.failure.empty()) fail(answer.failure);
       record(answer.lines);
     }
+    refuse(journal_.sync_if_due());
     if (options_.progress)
       options_.progress(outcome_.finished - outcome_.before, outcome_.trials - outcome_.before);
   }
 
-  void record(std::string_view lines) {
-    if (full_ || lines.empty()) return;
-    if (const std::optional<std::string> failure = journal_.append(lines)) {
-      full_ = true;
-      fail("the journal can't be written: " + *failure);
+  // Which trial of a chunk is to blame, is seen when each is run alone.
+  void judge(const Answer& answer) {
+    const std::uint64_t position = answer.chunk.first;
+    const bool overdue = answer.end == Answer::End::overdue;
+    if (answer.chunk.count > 1 || (!overdue && ++deaths_[position] < kLives)) {
+      dealer_.take_back(answer.chunk);
       return;
     }
+    const std::string row = row_without_result(
+        sweep_, trial_at(sweep_, shard_, position), overdue ? Outcome::timed_out : Outcome::failed,
+        overdue ? "it took longer than a trial may" : answer.reason);
+    record(journal_line(position, fmt::format("{:.6f}", answer.seconds), row));
+  }
+
+  void record(std::string_view lines) {
+    if (full_ || lines.empty()) return;
+    refuse(journal_.append(lines));
+    if (full_) return;
     for (std::size_t begin = 0; begin < lines.size();) {
       const std::size_t end = lines.find('\n', begin) + 1;
-      dealer_.mark(first_number(lines.substr(begin, end - begin)));
+      const std::string_view line = lines.substr(begin, end - begin);
+      dealer_.mark(first_number(line));
       ++outcome_.finished;
+      outcome_.without_result += has_no_result(line) ? 1 : 0;
       begin = end;
     }
   }
 
-  void fail(const std::string& why) {
-    std::vector<std::string>& all = outcome_.failures;
-    if (all.size() < kMaxFailures && std::ranges::find(all, why) == all.end()) all.push_back(why);
+  void refuse(const std::optional<std::string>& failure) {
+    if (!failure || full_) return;
+    full_ = true;
+    outcome_.failures.push_back("the journal can't be written: " + *failure);
   }
 
+  const Sweep& sweep_;
+  const Shard& shard_;
   const RunOptions& options_;
   WorkerPool& pool_;
   Journal& journal_;
   Dealer& dealer_;
   RunOutcome& outcome_;
+  std::map<std::uint64_t, int> deaths_;  // by position
   bool full_ = false;
 };
 
@@ -180,27 +225,36 @@ void list_missing(const Sweep& sweep, const Shard& shard, const DoneWindow& done
 
 }  // namespace
 
+double default_time_limit(const Sweep& sweep) {
+  constexpr double kSlice = 1e-4;  // [s]
+  const double simulated =
+      sweep.engine == Engine::slice ? kSlice * sweep.limits.slices : sweep.limits.seconds;
+  return 60.0 + 10.0 * simulated;
+}
+
 RunOutcome run_shard(const Sweep& sweep, const Shard& shard, const std::filesystem::path& directory,
                      const RunOptions& options) {
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error)
-    throw InvalidInput(
-        fmt::format("can't make the directory '{}': {}", directory.string(), error.message()));
   signal(SIGPIPE, SIG_IGN);  // a worker that died is no reason to die
   signal(SIGXFSZ, SIG_IGN);  // nor is a file that may not grow
 
-  const std::string title = to_title(sweep, shard);
-  Past past = read_past(directory, title);
+  const std::string header = to_header(sweep, shard);
+  MadeDirectory made(directory);
+  Journal journal(directory);
+  Past past = read_past(directory, header);
+  journal.resume(header, past.end);
+  made.keep();
+
   RunOutcome outcome;
   outcome.trials = num_trials(sweep, shard);
   outcome.before = outcome.finished = past.finished;
-  Journal journal(directory, title, past.end);
+  outcome.without_result = past.without_result;
   Dealer dealer(std::move(past.done), outcome.trials);
   if (!outcome.complete()) {
-    WorkerPool pool(options.jobs,
-                    [&](std::uint64_t position) { return finished_trial(sweep, shard, position); });
-    Run(options, pool, journal, dealer, outcome).to_the_end();
+    WorkerPool pool(
+        options.jobs,
+        [&](std::uint64_t position) { return finished_trial(sweep, shard, options, position); },
+        options.trial_timeout > 0.0 ? options.trial_timeout : default_time_limit(sweep));
+    Run(sweep, shard, options, pool, journal, dealer, outcome).to_the_end();
   }
   list_missing(sweep, shard, dealer.done(), outcome);
   return outcome;

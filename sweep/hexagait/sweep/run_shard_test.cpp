@@ -6,15 +6,17 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <hexagait/sweep/made_directory.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <thread>
 
 #include "scratch_sweep.hpp"
-#include "worker_pool.hpp"
 
 namespace hexagait::sweep {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 using Running = ScratchSweep;
 
 // Processes that this one has started.
@@ -84,8 +86,8 @@ TEST_F(Running, DoesNothingWhenAllIsDone) {
   EXPECT_EQ(content(journal_path(at("a"))), journal);
 }
 
-// A worker is killed: the others go on, its trials are told as missing, and made good later.
-TEST_F(Running, TellsWhatAKilledWorkerLeftUndone) {
+// A worker is killed: another takes its place, and nothing is missing.
+TEST_F(Running, MakesGoodWhatAKilledWorkerLeftUndone) {
   const Sweep sweep = slices(200, 500);
   bool killed = false;
   RunOptions options{.jobs = 2};
@@ -95,15 +97,72 @@ TEST_F(Running, TellsWhatAKilledWorkerLeftUndone) {
   };
   const RunOutcome outcome = run_shard(sweep, {}, at("a"), options);
   ASSERT_TRUE(killed);
-  EXPECT_FALSE(outcome.complete());
-  ASSERT_EQ(outcome.failures.size(), 1U);
-  EXPECT_THAT(outcome.failures[0], HasSubstr("signal 9"));
-  std::uint64_t missing = 0;
-  for (const TrialRange& range : outcome.missing) missing += range.last - range.first + 1;
-  EXPECT_EQ(missing, outcome.trials - outcome.finished);
-
-  EXPECT_EQ(run(sweep, "a"), run(sweep, "b"));
+  EXPECT_TRUE(outcome.complete());
+  EXPECT_EQ(outcome.without_result, 0U);
+  EXPECT_TRUE(outcome.failures.empty());
+  publish(at("a"));
+  EXPECT_EQ(content(at("a") / "trials.csv"), run(sweep, "b"));
   EXPECT_TRUE(each_once("a"));
+}
+
+// Trials as quick as can be, one of which is what a test makes of it.
+std::function<std::string(const Sweep&, std::uint64_t)> poisoned(
+    std::uint64_t bad, const std::function<void()>& poison) {
+  return [=](const Sweep& sweep, std::uint64_t k) {
+    if (k == bad) poison();
+    return row_without_result(sweep, k, Outcome::walked, "quick");
+  };
+}
+
+// The poison kills every process that touches it. All others come through, also those that lie far
+// beyond the window, also with one job.
+TEST_F(Running, IsNotHeldUpByATrialThatKillsItsProcess) {
+  const Sweep sweep = slices(10'000);  // 90 000 trials: 1.4 windows
+  for (const int jobs : {1, 2}) {
+    const std::string name = "jobs" + std::to_string(jobs);
+    const RunOutcome outcome = run_shard(
+        sweep, {}, at(name), {.jobs = jobs, .row = poisoned(100, [] { raise(SIGSEGV); })});
+    EXPECT_TRUE(outcome.complete());
+    EXPECT_EQ(outcome.without_result, 1U);
+    EXPECT_EQ(publish(at(name)).without_result, 1U);
+    const std::vector<std::string> rows = lines(at(name) / "trials.csv");
+    ASSERT_EQ(rows.size(), 90'001U);
+    EXPECT_THAT(rows[101], testing::StartsWith("100,free,six_feet,flat,0,"));
+    EXPECT_THAT(rows[101], HasSubstr(",failed,the process that ran it was ended by signal 11 ("));
+    EXPECT_EQ(std::ranges::count(rows[101], ','), std::ranges::count(rows[0], ','));
+    EXPECT_THAT(rows[102], HasSubstr(",walked,quick,"));
+  }
+  EXPECT_EQ(content(at("jobs1") / "trials.csv"), content(at("jobs2") / "trials.csv"));
+
+  // It is done: the same call has nothing to do, and knows of the trial without a result.
+  const RunOutcome again = run_shard(sweep, {}, at("jobs1"), {});
+  EXPECT_EQ(again.before, again.trials);
+  EXPECT_EQ(again.without_result, 1U);
+}
+
+TEST_F(Running, GivesUpATrialThatTakesTooLong) {
+  const Sweep sweep = slices(20);
+  const RunOutcome outcome =
+      run_shard(sweep, {}, at("a"), {.jobs = 1, .trial_timeout = 0.3, .row = poisoned(7, [] {
+                                                                        std::this_thread::sleep_for(
+                                                                            std::chrono::hours(1));
+                                                                      })});
+  EXPECT_TRUE(outcome.complete());
+  EXPECT_EQ(outcome.without_result, 1U);
+  publish(at("a"));
+  EXPECT_THAT(lines(at("a") / "trials.csv")[8], HasSubstr(",timed_out,it took longer"));
+  EXPECT_TRUE(children().empty());
+}
+
+// What a trial throws is the reason of its row, made fit for a cell; its neighbours have results.
+TEST_F(Running, MakesARowOfWhatATrialThrows) {
+  Sweep sweep = slices(2);
+  sweep.terrains[1].terrain = "swamp";  // load_sweep() would have refused it
+  const RunOutcome outcome = run_shard(sweep, {}, at("a"), {});
+  EXPECT_TRUE(outcome.complete());
+  EXPECT_EQ(outcome.without_result, 6U);
+  const std::string row = row_without_result(sweep, 0, Outcome::failed, "no, \"way\"\nout");
+  EXPECT_THAT(row, HasSubstr(",failed,no;  way  out,,,,,,,"));
 }
 
 // A file that may not grow beyond 8 kB is a disk that is full.
@@ -155,23 +214,86 @@ TEST_F(Running, RefusesTheDirectoryOfAnotherSweep) {
 }
 
 TEST_F(Running, RefusesADirectoryThatAnotherProcessWrites) {
-  const Sweep sweep = slices(3);
-  const Journal other(at(""), "{}", 0);
-  EXPECT_THAT(refusal([&] { Journal(at(""), "{}", 0); }), HasSubstr("another process"));
+  const Journal other(at(""));
+  EXPECT_THAT(refusal([&] { const Journal journal(at("")); }), HasSubstr("another process"));
 }
 
-// One trial fails by itself; its neighbours in the chunk do not.
-TEST_F(Running, LosesOnlyTheTrialThatFails) {
-  WorkerPool pool(1, [](std::uint64_t k) {
-    if (k == 1) throw std::runtime_error("no trial 1");
-    return std::to_string(k) + "\n";
+TEST(LockFailure, TellsAHeldFileFromAFileSystemWithoutLocks) {
+  EXPECT_THAT(lock_failure(EWOULDBLOCK), HasSubstr("another process"));
+  for (const int error : {ENOLCK, ENOTSUP, ENOSYS, EINVAL})
+    EXPECT_THAT(lock_failure(error),
+                testing::AllOf(HasSubstr("can't lock files"), Not(HasSubstr("another process"))));
+  EXPECT_THAT(lock_failure(EIO), HasSubstr("Input/output error"));
+}
+
+// Rows that another run adds before it lets go of the journal are there when it is read.
+TEST_F(Running, ReadsTheJournalWhenItHoldsIt) {
+  const Sweep sweep = slices(3);
+  const std::string whole = run(sweep, "a");
+  const std::string journal = content(journal_path(at("a")));
+  const std::size_t half = journal.find('\n', journal.size() / 2) + 1;
+  std::filesystem::resize_file(journal_path(at("a")), half);
+  std::optional<Journal> other(std::in_place, at("a"));
+  std::thread later([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    std::ofstream(journal_path(at("a")), std::ios::app) << journal.substr(half);
+    other.reset();
   });
-  pool.assign({0, 4});
-  const std::vector<Answer> answers = pool.wait(std::chrono::milliseconds(10'000));
-  ASSERT_EQ(answers.size(), 1U);
-  EXPECT_EQ(answers[0].lines, "0\n2\n3\n");
-  EXPECT_EQ(answers[0].failure, "no trial 1");
-  EXPECT_EQ(pool.idle(), 1);
+  const RunOutcome outcome = run_shard(sweep, {}, at("a"), {});
+  later.join();
+  EXPECT_EQ(outcome.before, outcome.trials);
+  EXPECT_EQ(content(journal_path(at("a"))), journal);
+}
+
+// A disk that takes bytes and loses them.
+TEST_F(Running, TellsThatAJournalDidNotReachTheDisk) {
+  Journal journal(at(""), [](int) {
+    errno = EIO;
+    return -1;
+  });
+  EXPECT_THAT(refusal([&] { journal.resume("{}", 0); }), HasSubstr("did not reach the disk"));
+  EXPECT_FALSE(journal.append("a line\n"));  // within a second of the last sync
+  EXPECT_THAT(journal.sync().value_or(""), HasSubstr("did not reach the disk"));
+  EXPECT_FALSE(journal.sync());  // nothing waits for it
+}
+
+// Whatever is refused leaves no directory behind.
+TEST_F(Running, LeavesNoDirectoryThatItCantUse) {
+  const Sweep sweep = slices(3);
+  std::ofstream(at("file")) << "no directory";
+  EXPECT_THAT(refusal([&] { static_cast<void>(run_shard(sweep, {}, at("file"), {})); }),
+              HasSubstr("can't make the directory"));
+  EXPECT_THAT(refusal([&] { static_cast<void>(run_shard(sweep, {}, at("file") / "a" / "b", {})); }),
+              HasSubstr("can't make the directory"));
+  {
+    const MadeDirectory unused(at("c") / "d" / "e");
+    EXPECT_TRUE(std::filesystem::is_directory(at("c") / "d" / "e"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(at("c")));
+}
+
+// Older results stand whole when newer ones don't fit on the disk.
+TEST_F(Running, PublishesNothingThatIsNotWhole) {
+  const Sweep sweep = slices(200);
+  run(sweep, "a");
+  std::ofstream(at("a") / "trials.csv") << "old\n";
+  std::ofstream(at("a") / "manifest.json") << "old\n";
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  rlimit full = before;
+  full.rlim_cur = 20'000;
+  setrlimit(RLIMIT_FSIZE, &full);
+  EXPECT_THROW(publish(at("a")), std::runtime_error);
+  setrlimit(RLIMIT_FSIZE, &before);
+  EXPECT_EQ(content(at("a") / "trials.csv"), "old\n");
+  EXPECT_EQ(content(at("a") / "manifest.json"), "old\n");
+  EXPECT_EQ(std::ranges::distance(std::filesystem::directory_iterator(at("a"))), 4);
+
+  // A place that is taken by a directory is told before anything is replaced.
+  std::filesystem::remove(at("a") / "manifest.json");
+  std::filesystem::create_directory(at("a") / "manifest.json");
+  EXPECT_THAT(refusal([&] { publish(at("a")); }), HasSubstr("is not a file"));
+  EXPECT_EQ(content(at("a") / "trials.csv"), "old\n");
 }
 
 TEST_F(Running, LeavesNoProcessBehind) {

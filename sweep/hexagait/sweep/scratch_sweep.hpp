@@ -49,7 +49,7 @@ class ScratchSweep : public testing::Test {
       sweep.terrains.push_back(ground(Engine::slice, name));
     sweep.num_seeds = seeds;
     sweep.limits.slices = slices;
-    sweep.measure = columns(Engine::slice).front();
+    sweep.measure = columns(Engine::slice).front().name;
     return sweep;
   }
 

@@ -20,13 +20,22 @@ std::uint64_t num_groups(const Sweep& sweep) {
   return sweep.robots.size() * sweep.terrains.size() * seeds_per_terrain(sweep);
 }
 
+// The cells that say which trial it is, each with its comma.
+std::string grid_cells(const Sweep& sweep, std::uint64_t k) {
+  const GridPoint at = grid_point(sweep, k);
+  const Ground& ground = sweep.terrains[at.terrain];
+  return fmt::format("{},{},{},{},{},{},", k, to_string(sweep.controllers[at.controller]),
+                     sweep.robots[at.robot].name, ground.terrain, ground.roughness,
+                     seed(sweep, at));
+}
+
 }  // namespace
 
 std::uint64_t num_trials(const Sweep& sweep) {
   return num_groups(sweep) * sweep.controllers.size();
 }
 
-Cell cell(const Sweep& sweep, std::uint64_t k) {
+GridPoint grid_point(const Sweep& sweep, std::uint64_t k) {
   const std::uint64_t seeds = seeds_per_terrain(sweep), controllers = sweep.controllers.size();
   const std::uint64_t group = k / controllers, place = group / seeds;
   return {.robot = place / sweep.terrains.size(),
@@ -35,21 +44,21 @@ Cell cell(const Sweep& sweep, std::uint64_t k) {
           .seed_index = group % seeds};
 }
 
-std::uint64_t trial_number(const Sweep& sweep, const Cell& cell) {
-  const std::uint64_t place = cell.robot * sweep.terrains.size() + cell.terrain;
-  const std::uint64_t group = place * seeds_per_terrain(sweep) + cell.seed_index;
-  return group * sweep.controllers.size() + cell.controller;
+std::uint64_t trial_number(const Sweep& sweep, const GridPoint& point) {
+  const std::uint64_t place = point.robot * sweep.terrains.size() + point.terrain;
+  const std::uint64_t group = place * seeds_per_terrain(sweep) + point.seed_index;
+  return group * sweep.controllers.size() + point.controller;
 }
 
-std::uint64_t seed(const Sweep& sweep, const Cell& cell) {
-  if (!sweep.seeds.empty()) return sweep.seeds[cell.seed_index];
-  const auto terrain = static_cast<std::uint32_t>(fnv1a(sweep.terrains[cell.terrain].terrain));
-  const double u = random_u01(sweep.master_seed, RandomStream::seeds, terrain, cell.seed_index);
+std::uint64_t seed(const Sweep& sweep, const GridPoint& point) {
+  if (!sweep.seeds.empty()) return sweep.seeds[point.seed_index];
+  const auto terrain = static_cast<std::uint32_t>(fnv1a(sweep.terrains[point.terrain].terrain));
+  const double u = random_u01(sweep.master_seed, RandomStream::seeds, terrain, point.seed_index);
   return static_cast<std::uint64_t>(std::ldexp(u, 48));
 }
 
 TrialConfig trial(const Sweep& sweep, std::uint64_t k) {
-  const Cell at = cell(sweep, k);
+  const GridPoint at = grid_point(sweep, k);
   return {.engine = sweep.engine,
           .controller = sweep.controllers[at.controller],
           .robot = &sweep.robots[at.robot].model,
@@ -58,17 +67,31 @@ TrialConfig trial(const Sweep& sweep, std::uint64_t k) {
           .limits = sweep.limits};
 }
 
-std::string header(const Sweep& sweep) {
-  return fmt::format("trial,controller,robot,terrain,roughness,seed,{}",
-                     fmt::join(columns(sweep.engine), ","));
+std::string csv_header(const Sweep& sweep) {
+  std::string text = kGridColumns;
+  for (const Column& column : columns(sweep.engine)) text += ',' + column.name;
+  return text;
 }
 
 std::string row(const Sweep& sweep, std::uint64_t k) {
-  const Cell at = cell(sweep, k);
-  const TrialConfig config = trial(sweep, k);
-  return fmt::format("{},{},{},{},{},{},{}", k, to_string(config.controller),
-                     sweep.robots[at.robot].name, config.terrain,
-                     sweep.terrains[at.terrain].roughness, config.seed, run(config));
+  std::string reason = "an exception that is not std::exception";
+  try {
+    return grid_cells(sweep, k) + run(trial(sweep, k));
+  } catch (const std::exception& error) {
+    reason = error.what();
+  } catch (...) {
+  }
+  return row_without_result(sweep, k, Outcome::failed, reason);
+}
+
+std::string row_without_result(const Sweep& sweep, std::uint64_t k, Outcome outcome,
+                               std::string_view reason) {
+  return grid_cells(sweep, k) + no_result(sweep.engine, outcome, reason);
+}
+
+bool has_no_result(std::string_view row) {
+  for (int comma = 0; comma < 6; ++comma) row.remove_prefix(row.find(',') + 1);
+  return row.starts_with("failed,") || row.starts_with("timed_out,");
 }
 
 std::uint64_t num_trials(const Sweep& sweep, const Shard& shard) {

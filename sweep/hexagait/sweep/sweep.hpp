@@ -9,8 +9,7 @@ namespace hexagait::sweep {
 
 /// A robot of a sweep. Only the ODE engine has a choice; the others have one, without a model.
 struct Robot {
-  std::string name;             ///< as the sweep file spells it
-  std::uint64_t file_hash = 0;  ///< FNV-1a of its URDF, which is part of the configuration
+  std::string name;  ///< as the sweep file spells it
   RobotModel model;
 };
 
@@ -29,30 +28,42 @@ struct Sweep {
 };
 
 /// Where a trial is in the grid.
-struct Cell {
+struct GridPoint {
   std::size_t robot = 0, terrain = 0, controller = 0;
   std::uint64_t seed_index = 0;
 
-  friend bool operator==(const Cell&, const Cell&) = default;
+  friend bool operator==(const GridPoint&, const GridPoint&) = default;
 };
 
 /// Number of trials; they are numbered from 0.
 [[nodiscard]] std::uint64_t num_trials(const Sweep& sweep);
 
-/// Cell of trial k, and its inverse: a bijection of 0 … num_trials − 1 and the grid.
-[[nodiscard]] Cell cell(const Sweep& sweep, std::uint64_t k);
-[[nodiscard]] std::uint64_t trial_number(const Sweep& sweep, const Cell& cell);
+/// Place of trial k, and its inverse: a bijection of 0 … num_trials − 1 and the grid.
+[[nodiscard]] GridPoint grid_point(const Sweep& sweep, std::uint64_t k);
+[[nodiscard]] std::uint64_t trial_number(const Sweep& sweep, const GridPoint& point);
 
 /// The seed that all controllers and robots share on a terrain: the listed one, or 48 bits from
 /// (master seed, terrain's name, seed index), so that further terrains or seeds move no other.
-[[nodiscard]] std::uint64_t seed(const Sweep& sweep, const Cell& cell);
+[[nodiscard]] std::uint64_t seed(const Sweep& sweep, const GridPoint& point);
 
 /// What trial k simulates.
 [[nodiscard]] TrialConfig trial(const Sweep& sweep, std::uint64_t k);
 
-/// Header of trials.csv, and the row of trial k, which is run for it; without line ends.
-[[nodiscard]] std::string header(const Sweep& sweep);
+/// Columns of trials.csv before those of the engine.
+inline constexpr const char* kGridColumns =
+    "trial,controller,robot,terrain,roughness,seed,outcome,reason";
+
+/// First line of trials.csv, and the row of trial k, which is run for it; without line ends. What
+/// the trial throws makes a row without a result.
+[[nodiscard]] std::string csv_header(const Sweep& sweep);
 [[nodiscard]] std::string row(const Sweep& sweep, std::uint64_t k);
+
+/// The row of trial k if it has no result.
+[[nodiscard]] std::string row_without_result(const Sweep& sweep, std::uint64_t k, Outcome outcome,
+                                             std::string_view reason);
+
+/// Whether a row, or the journal's line of it, is one of those.
+[[nodiscard]] bool has_no_result(std::string_view row);
 
 /// A part of a sweep for one of several machines: every count-th group of trials that share robot,
 /// terrain and seed, from group index on. Within a shard trials have positions 0, 1, ….

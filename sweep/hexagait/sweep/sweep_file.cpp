@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <hexagait/sim/fnv1a.hpp>
+#include <filesystem>
+#include <hexagait/sim2d/genghis_model.hpp>
 #include <hexagait/sweep/spelling.hpp>
 #include <hexagait/sweep/sweep.hpp>
 #include <hexagait/text/invalid_input.hpp>
+#include <hexagait/text/text_file.hpp>
 #include <hexagait/urdf/urdf.hpp>
-#include <iterator>
+#include <limits>
 #include <optional>
 #include <set>
 
@@ -22,6 +23,7 @@ namespace {
 using Words = std::vector<std::string>;
 
 constexpr double kMaxTrials = 1e12;
+constexpr std::size_t kMaxFileSize = 16U << 20;  // [byte]
 
 // Keys of all sweeps, and of those with one kind of engine only.
 const Words kKeys = {"simulator", "controllers", "terrains", "roughness",
@@ -171,9 +173,7 @@ class SweepReader {
       if (name.find_first_of(",\n\"") != std::string::npos)
         throw InvalidInput(fmt::format("the robot '{}' has a comma or quote in its name", name));
       const std::string path = robot_file_(name);
-      std::ifstream file(path, std::ios::binary);
-      const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-      add_once(node, "robot", sweep_.robots, Robot{name, fnv1a(bytes), load_urdf(path)},
+      add_once(node, "robot", sweep_.robots, Robot{name, load_urdf(path)},
                [](const Robot& robot) { return robot.name; });
     } catch (const InvalidInput& error) {
       findings_.add(node.Mark(), error.what());
@@ -262,11 +262,24 @@ class SweepReader {
     limits.seconds =
         length("seconds", 1e-3, 86400.0, limits.seconds, "a time of 1 ms to a day [s]");
     limits.distance = length("distance", 1e-3, 1e5, 0.0, "a length of 1 mm to 100 km [m]");
-    limits.random_posture = length("random_posture", 0.0, 1.0, 0.0, "a length of 0 to 1 m");
+    limits.random_posture =
+        length("random_posture", 0.0, smallest_workspace(), 0.0,
+               fmt::format("a length of 0 to {:.3g} m, the radius of the workspaces",
+                           smallest_workspace()));
+  }
+
+  // Over all legs and robots [m].
+  [[nodiscard]] double smallest_workspace() const {
+    if (sweep_.engine == Engine::box2d) return sim2d::GenghisModel{}.workspace_radius;
+    double radius = std::numeric_limits<double>::infinity();
+    for (const Robot& robot : sweep_.robots)
+      for (const LegModel& leg : robot.model.legs) radius = std::min(radius, leg.workspace_radius);
+    return radius;
   }
 
   void read_measure() {
-    const Words& known = columns(sweep_.engine);
+    Words known;
+    for (const Column& column : columns(sweep_.engine)) known.push_back(column.name);
     const YAML::Node node = root_["measure"];
     sweep_.measure = node ? scalar(node) : known.front();
     if (std::ranges::find(known, sweep_.measure) == known.end())
@@ -276,7 +289,7 @@ class SweepReader {
 
   // A number of a range, or the default if there is no such key.
   double length(const std::string& key, double least, double greatest, double otherwise,
-                const char* words) {
+                const std::string& words) {
     const YAML::Node node = root_[key];
     if (!node) return otherwise;
     const auto value = number<double>(scalar(node));
@@ -342,11 +355,11 @@ class SweepReader {
 }  // namespace
 
 Sweep load_sweep(const std::string& path, const RobotFinder& robot_file) {
+  if (std::error_code ignored; std::filesystem::is_directory(path, ignored))
+    throw InvalidInput(fmt::format("'{}' is a directory; a sweep file is expected", path));
   YAML::Node root;
   try {
-    root = YAML::LoadFile(path);
-  } catch (const YAML::BadFile&) {
-    throw InvalidInput(fmt::format("{}: can't be read; a sweep file is expected", path));
+    root = YAML::Load(read_text(path, kMaxFileSize));
   } catch (const YAML::ParserException& error) {
     throw InvalidInput(fmt::format("{}:{}:{}: not YAML: {}", path, error.mark.line + 1,
                                    error.mark.column + 1, error.msg));

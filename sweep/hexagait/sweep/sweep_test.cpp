@@ -13,13 +13,13 @@ namespace {
 using Grid = ScratchSweep;
 
 // 3 controllers × 3 terrains × 7 seeds × 2 robots: 126 trials, each a cell of its own.
-TEST_F(Grid, NumbersItsCellsOneToOne) {
+TEST_F(Grid, NumbersItsPointsOneToOne) {
   Sweep sweep = slices(7);
   sweep.robots.push_back({.name = "other", .model = {}});
   ASSERT_EQ(num_trials(sweep), 126U);
   std::set<std::array<std::uint64_t, 4>> cells;
   for (std::uint64_t k = 0; k < 126; ++k) {
-    const Cell c = cell(sweep, k);
+    const GridPoint c = grid_point(sweep, k);
     EXPECT_EQ(trial_number(sweep, c), k);
     EXPECT_LT(c.robot, 2U);
     EXPECT_LT(c.terrain, 3U);
@@ -35,7 +35,7 @@ TEST_F(Grid, PutsTheControllersOfOneGroundSideBySide) {
   const Sweep sweep = slices(7);
   for (std::uint64_t k = 0; k < num_trials(sweep); k += 3)
     for (std::uint64_t c = 0; c < 3; ++c) {
-      EXPECT_EQ(cell(sweep, k + c).controller, c);
+      EXPECT_EQ(grid_point(sweep, k + c).controller, c);
       EXPECT_EQ(trial(sweep, k + c).seed, trial(sweep, k).seed);
       EXPECT_EQ(trial(sweep, k + c).terrain, trial(sweep, k).terrain);
     }
@@ -90,7 +90,7 @@ TEST_F(Grid, HasAsManyCellsInARowAsInItsHeader) {
   const auto commas = [](const std::string& text) { return std::ranges::count(text, ','); };
   const Sweep sweep = slices(1);
   for (std::uint64_t k = 0; k < num_trials(sweep); ++k)
-    EXPECT_EQ(commas(row(sweep, k)), commas(header(sweep)));
+    EXPECT_EQ(commas(row(sweep, k)), commas(csv_header(sweep)));
 }
 
 using SweepFile = ScratchSweep;
@@ -142,6 +142,8 @@ TEST_F(SweepFile, IsRefusedWhenItIsNone) {
   using testing::HasSubstr;
   EXPECT_THAT(refusal([&] { static_cast<void>(load_sweep(at("none.yaml"), argos)); }),
               HasSubstr("can't be read"));
+  EXPECT_THAT(refusal([&] { static_cast<void>(load_sweep(at(""), argos)); }),
+              HasSubstr("is a directory; a sweep file is expected"));
   EXPECT_THAT(says("a: [b"), HasSubstr("x.yaml:1:"));
   EXPECT_THAT(says("- free"), HasSubstr("must be a map"));
   EXPECT_THAT(says(""), HasSubstr("must be a map"));
@@ -154,6 +156,11 @@ TEST_F(SweepFile, IsRefusedWhenItIsNone) {
   EXPECT_THAT(says(ode + "terrains: [flat]\nrobots: [nobody]"),
               HasSubstr(":5:10: robot is 'nobody'"));
   EXPECT_THAT(says(ode + "terrains: [boxes:0.1, boxes:0.10]"), HasSubstr("there twice"));
+  EXPECT_THAT(says(ode + "terrains: [flat]\nrandom_posture: 0.9"),
+              HasSubstr(":5:17: random_posture is '0.9'; it must be a length of 0 to 0."));
+  EXPECT_THAT(says("simulator: box2d\ncontrollers: [free]\nseeds: 1\nterrains: [flat]\n"
+                   "random_posture: 0.06"),
+              HasSubstr("a length of 0 to 0.05 m"));
   EXPECT_THAT(says(ode + "terrains: {a: 1}\nseconds: -1"), HasSubstr(":5:10: seconds is '-1'"));
 }
 

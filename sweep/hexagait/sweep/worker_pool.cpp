@@ -18,10 +18,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Precedes every answer: how long its two texts are.
-struct AnswerSize {
-  std::uint64_t lines = 0, failure = 0;
-};
+// A process that did not run for so long was stopped, or its machine slept: no worker is to blame.
+constexpr std::chrono::seconds kPause{5};
 
 bool write_all(int file, const void* bytes, std::size_t size) {
   const char* from = static_cast<const char*>(bytes);
@@ -51,18 +49,10 @@ bool read_all(int file, void* bytes, std::size_t size) {
 void serve(int requests, int answers, const WorkerPool::Work& work) {
   Chunk chunk;
   while (read_all(requests, &chunk, sizeof chunk)) {
-    std::string lines, failure;
-    for (std::uint64_t k = 0; k < chunk.count; ++k) {
-      try {
-        lines += work(chunk.first + k);
-      } catch (const std::exception& error) {
-        failure = error.what();
-      }
-    }
-    const AnswerSize size{lines.size(), failure.size()};
-    if (!write_all(answers, &size, sizeof size) ||
-        !write_all(answers, lines.data(), lines.size()) ||
-        !write_all(answers, failure.data(), failure.size()))
+    std::string lines;
+    for (std::uint64_t k = 0; k < chunk.count; ++k) lines += work(chunk.first + k);
+    const std::uint64_t size = lines.size();
+    if (!write_all(answers, &size, sizeof size) || !write_all(answers, lines.data(), lines.size()))
       return;
   }
 }
@@ -80,9 +70,9 @@ void serve(int requests, int answers, const WorkerPool::Work& work) {
 
 }  // namespace
 
-WorkerPool::WorkerPool(int jobs, const Work& work) {
-  std::fflush(nullptr);  // or the children would print it again
-  for (int job = 0; job < jobs; ++job) workers_.push_back(spawn(work));
+WorkerPool::WorkerPool(int jobs, Work work, double time_limit)
+    : work_(std::move(work)), time_limit_(time_limit), awake_(Clock::now()) {
+  for (int job = 0; job < jobs; ++job) workers_.push_back(spawn());
 }
 
 WorkerPool::~WorkerPool() {
@@ -90,7 +80,8 @@ WorkerPool::~WorkerPool() {
   for (Worker& worker : workers_) static_cast<void>(bury(worker));
 }
 
-WorkerPool::Worker WorkerPool::spawn(const Work& work) {
+WorkerPool::Worker WorkerPool::spawn() {
+  std::fflush(nullptr);  // or the child would print it again
   int requests[2], answers[2];
   const auto must = [](int result) {
     if (result < 0)
@@ -108,7 +99,7 @@ WorkerPool::Worker WorkerPool::spawn(const Work& work) {
     }
     close(requests[1]);
     close(answers[0]);
-    live(parent, requests[0], answers[1], work);
+    live(parent, requests[0], answers[1], work_);
   }
   close(requests[0]);
   close(answers[1]);
@@ -133,33 +124,60 @@ void WorkerPool::assign(const Chunk& chunk) {
 }
 
 std::vector<Answer> WorkerPool::wait(std::chrono::milliseconds patience) {
+  forgive_a_pause();
   std::vector<pollfd> files;
   for (const Worker& worker : workers_) files.push_back({worker.answers, POLLIN, 0});
   std::vector<Answer> answers;
-  if (poll(files.data(), files.size(), static_cast<int>(patience.count())) <= 0) return answers;
-
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    if (files[i].revents == 0) continue;
-    Worker& worker = workers_[i];
-    std::optional<Answer> answer = receive(worker);
-    if (!answer) answer = {.chunk = worker.chunk.value_or(Chunk{}), .failure = bury(worker)};
-    answer->seconds = std::chrono::duration<double>(Clock::now() - worker.since).count();
-    worker.chunk.reset();
-    answers.push_back(std::move(*answer));
-  }
-  std::erase_if(workers_, [](const Worker& worker) { return worker.process < 0; });
+  const int ready = poll(files.data(), files.size(), static_cast<int>(patience.count()));
+  for (std::size_t i = 0; i < files.size(); ++i)
+    if (auto found = answer(workers_[i], ready > 0 && files[i].revents != 0))
+      answers.push_back(std::move(*found));
+  replace_the_dead();
   return answers;
 }
 
+// What a worker has to say, if anything. One that says nothing sensible is dead.
+std::optional<Answer> WorkerPool::answer(Worker& worker, bool is_ready) {
+  const std::chrono::duration<double> taken = Clock::now() - worker.since;
+  const bool overdue = !is_ready && worker.chunk && taken > time_limit_;
+  if (!is_ready && !overdue) return {};
+  std::optional<Answer> result = is_ready ? receive(worker) : std::nullopt;
+  if (!result) {
+    result = {.chunk = worker.chunk.value_or(Chunk{}),
+              .end = overdue ? Answer::End::overdue : Answer::End::died,
+              .reason = bury(worker)};
+  }
+  result->seconds = taken.count();
+  worker.chunk.reset();
+  if (result->chunk.count == 0) return {};  // it died of nothing that it was given
+  return result;
+}
+
+void WorkerPool::forgive_a_pause() {
+  const auto now = Clock::now();
+  if (const auto gap = now - awake_; gap > kPause)
+    for (Worker& worker : workers_) worker.since += gap;
+  awake_ = now;
+}
+
+// Where the system has no more processes those that are left go on.
+void WorkerPool::replace_the_dead() {
+  const auto is_dead = [](const Worker& worker) { return worker.process < 0; };
+  const auto dead = std::ranges::count_if(workers_, is_dead);
+  std::erase_if(workers_, is_dead);
+  try {
+    for (auto k = dead; k > 0; --k) workers_.push_back(spawn());
+  } catch (const std::runtime_error&) {
+    if (workers_.empty()) throw;
+  }
+}
+
 std::optional<Answer> WorkerPool::receive(Worker& worker) {
-  AnswerSize size;
+  std::uint64_t size = 0;
   if (!worker.chunk || !read_all(worker.answers, &size, sizeof size)) return {};
   Answer answer{.chunk = *worker.chunk};
-  answer.lines.resize(size.lines);
-  answer.failure.resize(size.failure);
-  if (!read_all(worker.answers, answer.lines.data(), size.lines) ||
-      !read_all(worker.answers, answer.failure.data(), size.failure))
-    return {};
+  answer.lines.resize(size);
+  if (!read_all(worker.answers, answer.lines.data(), size)) return {};
   return answer;
 }
 
@@ -171,12 +189,11 @@ std::string WorkerPool::bury(Worker& worker) {
   int status = 0;
   while (waitpid(worker.process, &status, 0) < 0 && errno == EINTR) {
   }
-  const std::string name = fmt::format("the worker process {}", worker.process);
   worker.process = -1;
   if (WIFSIGNALED(status))
-    return fmt::format("{} was ended by signal {} ({})", name, WTERMSIG(status),
+    return fmt::format("the process that ran it was ended by signal {} ({})", WTERMSIG(status),
                        strsignal(WTERMSIG(status)));
-  return fmt::format("{} ended with status {}", name, WEXITSTATUS(status));
+  return fmt::format("the process that ran it ended with status {}", WEXITSTATUS(status));
 }
 
 }  // namespace hexagait::sweep

@@ -6,6 +6,7 @@
 #include <hexagait/gait_state/ring.hpp>
 #include <hexagait/walk/detail/state_hash.hpp>
 #include <hexagait/walk/referee.hpp>
+#include <limits>
 
 namespace hexagait::walk {
 namespace {
@@ -26,7 +27,7 @@ LegSet feet_in_contact(const GroundTruth& truth) {
 }  // namespace
 
 double percentile(std::vector<double> values, double share) {
-  if (values.empty()) return 0.0;
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
   const auto rank = static_cast<std::size_t>(
       std::max(0.0, std::ceil(share * static_cast<double>(values.size())) - 1.0));
   std::nth_element(values.begin(), values.begin() + static_cast<long>(rank), values.end());

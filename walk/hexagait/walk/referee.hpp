@@ -74,7 +74,8 @@ class Referee {
   Pose odometry_, truth_;
 };
 
-/// Nearest-rank percentile of values, 0 if there are none. @param share  0 … 1
+/// Nearest-rank percentile of values; NaN, which no bound contains, if there are none.
+/// @param share  0 … 1
 [[nodiscard]] double percentile(std::vector<double> values, double share);
 
 }  // namespace hexagait::walk

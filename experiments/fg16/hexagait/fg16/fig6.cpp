@@ -11,6 +11,7 @@
 #include <hexagait/fg16/fg16.hpp>
 #include <hexagait/fg16/foot_tracks.hpp>
 #include <hexagait/fg16/foothold_route.hpp>
+#include <hexagait/fg16/judges.hpp>
 #include <hexagait/figures/gnuplot.hpp>
 #include <hexagait/walk/action_trial.hpp>
 
@@ -239,63 +240,14 @@ void draw(figures::StagedFiles& files, const Climbs& climbs, const sim3d::Block&
   figures::draw_figure(files, "fg16_fig6");
 }
 
-Verdict judge_arrival(const Climbs& climbs) {
-  int arrived = 0;
-  double longest = 0.0, tilt = 0.0, margin = 1.0;
-  for (const Climb& c : climbs) {
-    const Pose& end = c.tracks.samples().back().X_MB;
-    arrived += c.summary.ok() && c.summary.stands_at_end && !c.summary.base_touched &&
-               std::abs(end.p.x() - kRoute.end) < 0.05;
-    longest = std::max(longest, c.summary.seconds);
-    tilt = std::max(tilt, c.summary.tilt_max);
-    margin = std::min(margin, c.summary.margin_min);
-  }
-  return {
-      "From four starting positions the robot climbs a step of 12 cm by footholds in the map, "
-      "pushed on its base on the way: the action succeeds, and no trial falls",
-      arrived == static_cast<int>(climbs.size()),
-      fmt::format("{} of {}, within {:.1f} s; at most {:.1f}° of tilt; the centre of mass at "
-                  "worst {:.1f} cm {} the feet that touch",
-                  arrived, climbs.size(), longest, tilt * 180.0 / std::numbers::pi,
-                  100.0 * std::abs(margin), margin < 0.0 ? "outside" : "inside")};
-}
-
-Verdict judge_precision(const Climbs& climbs) {
-  std::vector<double> errors, touchdowns;
-  for (const Climb& c : climbs) {
-    const std::vector<double> of_trial = c.tracks.swing_errors();
-    errors.insert(errors.end(), of_trial.begin(), of_trial.end());
-    for (const FootTracks::Touchdown& t : c.tracks.touchdowns()) touchdowns.push_back(t.error());
-  }
-  const double median = walk::percentile(errors, 0.5), p95 = walk::percentile(errors, 0.95);
-  return {
-      "The feet follow their commands with precision, and come to stand on their footholds: "
-      "within 5 mm half of the time, within 1 cm 95 % of it",
-      median < 0.005 && p95 < 0.01,
-      fmt::format("in the air median {:.1f} mm, p95 {:.1f} mm, at most {:.1f} mm; at touchdown "
-                  "median {:.1f} mm, p95 {:.1f} mm of {} footholds",
-                  1e3 * median, 1e3 * p95, 1e3 * walk::percentile(errors, 1.0),
-                  1e3 * walk::percentile(touchdowns, 0.5), 1e3 * walk::percentile(touchdowns, 0.95),
-                  touchdowns.size())};
-}
-
-// The foot that is blocked, and what it does next.
-Verdict judge_block(const Climb& blocked) {
-  const auto& touchdowns = blocked.tracks.touchdowns();
-  const auto worst = std::ranges::max_element(touchdowns, {}, &FootTracks::Touchdown::error);
-  const LegId leg = worst->leg;
-  const auto next = std::find_if(worst + 1, touchdowns.end(), [&](const auto& t) {
-    return t.leg == leg && (t.foothold - worst->foothold).norm() > 1e-6;
-  });
-  const bool recovers = next != touchdowns.end() && next->error() < 0.01;
-  return {
-      "A foot whose foothold is blocked stands where it comes to, and the rest goes on as if "
-      "nothing had been",
-      blocked.summary.ok() && worst->error() > 0.01 && recovers,
-      fmt::format("a foot stands {:.1f} cm beside its foothold and {:.1f} cm above it; its next "
-                  "one it meets by {:.1f} mm",
-                  100.0 * worst->error(), 100.0 * (worst->reached - worst->foothold).z(),
-                  recovers ? 1e3 * next->error() : std::nan(""))};
+std::vector<Verdict> judge(const Climbs& climbs, const RobotModel& robot) {
+  std::vector<Climbed> judged;
+  for (const Climb& c : climbs)
+    judged.push_back({c.summary, c.tracks.swing_errors(), c.tracks.touchdowns()});
+  const auto footholds =
+      footholds_along(kRoute, robot, sim3d::Terrain(sim3d::parse_terrain(kTerrain), 1));
+  const Foothold& blocked = footholds[kBlockedPair][kBlockedFoot];
+  return judge_climbs(judged, judged[kBlocked], blocked.leg, blocked.p_MF);
 }
 
 }  // namespace
@@ -310,7 +262,7 @@ Outcome fg16_fig6(const ExperimentContext& context, figures::StagedFiles& files)
       context.progress(static_cast<double>(k + 1) / static_cast<double>(climbs.size()));
   }
   draw(files, climbs, blocks.front(), *context.robot);
-  return {.verdicts = {judge_arrival(climbs), judge_precision(climbs), judge_block(climbs.back())},
+  return {.verdicts = judge(climbs, *context.robot),
           .settings = {
               {"robot", context.robot->name},
               {"terrain", kTerrain},

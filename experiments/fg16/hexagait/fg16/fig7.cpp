@@ -11,6 +11,7 @@
 #include <hexagait/fg16/fg16.hpp>
 #include <hexagait/fg16/foot_tracks.hpp>
 #include <hexagait/fg16/foothold_route.hpp>
+#include <hexagait/fg16/judges.hpp>
 #include <hexagait/fg16/localisation.hpp>
 #include <hexagait/figures/gnuplot.hpp>
 #include <hexagait/walk/action_trial.hpp>
@@ -24,10 +25,6 @@ constexpr double kYawError = 0.0175;   // of the joints' zeros, 1°: drifts by 5
 constexpr std::uint64_t kSeed = 1;
 constexpr LegId kShown = 0;     // LF
 constexpr double kZoom = 20.0;  // of its track, from here on [s]
-
-// What may be left of a foot's way in a tick once its velocity is taken off: the ground that stops
-// it, and what that does to odometry [m].
-constexpr double kSmooth = 0.001;
 
 struct Walk {
   walk::ActionSummary summary;
@@ -176,40 +173,10 @@ std::vector<double> errors_from(const Walk& walk, double from, const RobotModel&
   return errors;
 }
 
-Verdict judge_frames(const Walk& combined) {
-  const double drift = combined.summary.odometry_position;
-  const double jump = combined.tracks.localised_jump();
-  return {
-      "Odometry is smooth and is off by some 5 cm in the end; localisation jumps by centimetres",
-      combined.summary.ok() && 0.03 < drift && drift < 0.07 && jump > 0.02,
-      fmt::format("off by {:.1f} cm after {:.1f} m; a foot jumps by up to {:.1f} cm from one "
-                  "tick to the next",
-                  100.0 * drift, kRoute.end - kRoute.start, 100.0 * jump)};
-}
-
-Verdict judge_smoothness(const Walk& combined) {
-  const double jump = combined.tracks.commanded_jump();
-  return {
-      "The combined approach is smooth: no tick moves a commanded foot by more than its velocity "
-      "times 2 ms, but for 1 mm",
-      jump < kSmooth, fmt::format("but for {:.2f} mm, where a foot meets the ground", 1e3 * jump)};
-}
-
-Verdict judge_accuracy(const Walk& combined, const Walk& odometry, const RobotModel& robot) {
-  const std::vector<double> all = errors_from(combined, -1.0, robot);
+LocalisedWalk judged(const Walk& walk, const RobotModel& robot) {
   const double last_metre = kRoute.end - kRoute.start - 1.0;
-  const double c = walk::percentile(errors_from(combined, last_metre, robot), 0.5);
-  const double o = walk::percentile(errors_from(odometry, last_metre, robot), 0.5);
-  return {
-      "And accurate: in the last metre feet stand nearer to their footholds than by odometry "
-      "alone, by more than half",
-      combined.summary.ok() && c < 0.5 * o,
-      fmt::format("{:.1f} cm (median of the last metre) against {:.1f} cm; on the whole walk "
-                  "median {:.1f} cm, p95 {:.1f} cm, where localisation itself errs by up to "
-                  "{:.1f} cm",
-                  100.0 * c, 100.0 * o, 100.0 * walk::percentile(all, 0.5),
-                  100.0 * walk::percentile(all, 0.95),
-                  100.0 * JumpingLocalisation::Params{}.shift)};
+  return {walk.summary, walk.tracks.commanded_jump(), walk.tracks.localised_jump(),
+          errors_from(walk, last_metre, robot), errors_from(walk, -1.0, robot)};
 }
 
 }  // namespace
@@ -220,8 +187,9 @@ Outcome fg16_fig7(const ExperimentContext& context, figures::StagedFiles& files)
   const Walk odometry = walk(Map::odometry_only, context);
   if (context.stop != nullptr && context.stop->load()) return {};
   draw(files, combined, odometry, *context.robot);
-  return {.verdicts = {judge_frames(combined), judge_smoothness(combined),
-                       judge_accuracy(combined, odometry, *context.robot)},
+  return {.verdicts =
+              judge_localised(judged(combined, *context.robot), judged(odometry, *context.robot),
+                              kRoute.end - kRoute.start, JumpingLocalisation::Params{}.shift),
           .settings = {{"robot", context.robot->name},
                        {"terrain", kTerrain},
                        {"seed", std::to_string(kSeed)},

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <hexagait/pc04/judges.hpp>
 #include <hexagait/pc04/pc04.hpp>
 #include <hexagait/recording/snapshot_figure.hpp>
 
@@ -17,23 +18,6 @@ using heading_control::Heading;
 constexpr double kSeconds = 50.0;
 constexpr double kRadius = 2.0;      // [m]
 constexpr double kRoughness = 0.15;  // half of the body's height [m]
-constexpr double kDrift = 0.05;      // off the curve at most, as a share of the distance
-
-std::vector<Verdict> judge(const walk::Summary& s) {
-  return {
-      {"The robot gets over abrupt terrain without a map of it", s.ok(),
-       fmt::format("{:.1f} m over boxes of up to {:.0f} cm in {:.0f} s", s.distance,
-                   100.0 * kRoughness, s.seconds)},
-      {"It stays on the commanded curve, by dead reckoning alone",
-       s.lateral_max < kDrift * s.distance,
-       fmt::format("{:.1f} cm off at most, {:.1f} % of the distance; heading {:.1f}° off",
-                   100.0 * s.lateral_max, 100.0 * s.lateral_max / s.distance,
-                   s.heading_max * 180.0 / std::numbers::pi)},
-      {"No leg is lifted while a neighbour is known to be off the ground", s.rule1_violations == 0,
-       fmt::format("{} violations in {} steps; in fact {:.2f} s with two neighbours off the "
-                   "ground",
-                   s.rule1_violations, s.steps, s.neighbour_flight)}};
-}
 
 }  // namespace
 
@@ -66,7 +50,7 @@ Outcome fig10(const ExperimentContext& context, figures::StagedFiles& files) {
        .terrain = &terrain},
       recording, *context.robot);
   return {.walk = recording::WalkReport{context.robot->name, simulation, summary},
-          .verdicts = judge(summary)};
+          .verdicts = judge_fig10(summary)};
 }
 
 }  // namespace hexagait::experiments

@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 #include <hexagait/figures/drawing.hpp>
-#include <hexagait/pc04/gait_tables.hpp>
+#include <hexagait/pc04/judges.hpp>
 #include <hexagait/pc04/pc04.hpp>
 #include <map>
 #include <numbers>
@@ -27,11 +27,6 @@ const std::map<char, std::string> kCanonical = {
     {'A', "<<<>>>"}, {'B', "<<><>>"}, {'C', "<<>><>"}, {'D', "<><><>"}};
 // By the number of legs that step together.
 constexpr std::array<const char*, 4> kColour = {"", "#2f6f9f", "#c99a2e", "#c4472b"};
-
-struct Transition {
-  GaitState from, to;
-  LegSet legs;
-};
 
 std::vector<Transition> transitions() {
   std::vector<Transition> all;
@@ -172,32 +167,6 @@ figures::Drawing drawn(const std::vector<Transition>& all) {
   return drawing;
 }
 
-// A cycle of types with one leg, or as many as said, at a time.
-bool has_cycle(const std::vector<Transition>& all, const std::string& types,
-               const std::vector<int>& legs) {
-  for (std::size_t k = 0; k < types.size(); ++k) {
-    const char from = types[k], to = types[(k + 1) % types.size()];
-    if (std::ranges::none_of(all, [&](const Transition& t) {
-          return letter(t.from) == from && letter(t.to) == to && t.legs.size() == legs[k];
-        }))
-      return false;
-  }
-  return true;
-}
-
-std::vector<Verdict> judge(const std::vector<Transition>& all) {
-  std::set<std::string> states;
-  for (const Transition& t : all) states.insert(to_string(t.from));
-  const bool keeps = std::ranges::all_of(all, [](const Transition& t) { return t.to.ccn() == 3; });
-  const bool waves = has_cycle(all, "ABC", {1, 1, 1}) && has_cycle(all, "BC", {1, 2}) &&
-                     has_cycle(all, "BCD", {1, 1, 1}) && has_cycle(all, "D", {3});
-  return {{"Steps keep the CCN", keeps,
-           fmt::format("{} transitions between {} states, all with CCN = 3", all.size(),
-                       states.size())},
-          {"The transitions of any wave gait are a subgraph", waves,
-           "A-B-C with a leg at a time, B-C with one and two, B-C-D with one, D-D with three"}};
-}
-
 }  // namespace
 
 Outcome fig4(const ExperimentContext& context, figures::StagedFiles& files) {
@@ -211,7 +180,7 @@ Outcome fig4(const ExperimentContext& context, figures::StagedFiles& files) {
       files, context.figure("fig4", 1400, 890, "Transitions between the gait states with CCN = 3",
                             "an arrow for each set of legs with priority that step together · "
                             "letters: type of state · after [PC04] Fig. 4"));
-  return {.verdicts = judge(all), .settings = {{"legs", "6"}, {"ccn", "3"}}};
+  return {.verdicts = judge_fig4(all), .settings = {{"legs", "6"}, {"ccn", "3"}}};
 }
 
 }  // namespace hexagait::experiments

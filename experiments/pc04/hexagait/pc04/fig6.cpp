@@ -7,6 +7,7 @@
 #include <fmt/ostream.h>
 
 #include <hexagait/figures/gnuplot.hpp>
+#include <hexagait/pc04/judges.hpp>
 #include <hexagait/pc04/pc04.hpp>
 #include <hexagait/sim2d/slice_model.hpp>
 
@@ -29,14 +30,8 @@ std::uint32_t trial_with_ccn_2() {
   }
 }
 
-struct Walk {
-  std::vector<double> advance;  // per slice [units]
-  double mean = 0.0;            // of the second half: without the start [units per slice]
-  int most_lifts = 0;           // most legs in the air at a time
-};
-
-Walk walk(const std::string& gait, std::uint32_t trial) {
-  Walk walk;
+FirstSteps walk(const std::string& gait, std::uint32_t trial) {
+  FirstSteps walk;
   sim2d::run_slices(config_of(gait), {kSeed, trial},
                     [&](const sim2d::SliceRecord& record, const sim2d::SliceRobot&) {
                       walk.advance.push_back(record.advance);
@@ -72,7 +67,7 @@ do for [p=1:3] {
 unset multiplot
 )";
 
-void draw(figures::StagedFiles& files, const std::array<Walk, 3>& walks) {
+void draw(figures::StagedFiles& files, const std::array<FirstSteps, 3>& walks) {
   std::ofstream script = files.create("fig6.gp");
   script
       << figures::figure_preamble("fig6.svg", 1200, 800)
@@ -88,32 +83,11 @@ void draw(figures::StagedFiles& files, const std::array<Walk, 3>& walks) {
   figures::draw_figure(files, "fig6");
 }
 
-std::vector<Verdict> judge(const std::array<Walk, 3>& walks) {
-  const auto& [tripod, free, unadjusted] = walks;
-  bool fifty = true, same = true;
-  for (std::size_t slice = 12; slice < kShown; ++slice) {
-    fifty &= tripod.advance[slice] == 0.0 || std::abs(tripod.advance[slice] - 50.0) < 1e-9;
-    // A step of the free gait may begin some slices later than the tripod's: compare each with its
-    // own step before.
-    if (slice >= 24) same &= std::abs(free.advance[slice] - free.advance[slice - 6]) < 1e-9;
-  }
-  return {
-      {"Every time a tripod is issued the robot advances 50 units, about 8 per slice on average",
-       fifty, fmt::format("{:.2f} units per slice", tripod.mean)},
-      {"After a few slices the free gait is that of the tripod controller",
-       same && std::abs(free.mean - tripod.mean) < 1e-9,
-       fmt::format("{:.2f} units per slice, three legs at a time", free.mean)},
-      {"Without adjustment, from CCN = 2, no more than two legs step at a time and it is slower",
-       unadjusted.most_lifts == 2 && unadjusted.mean < 0.9 * tripod.mean,
-       fmt::format("{:.2f} units per slice, {} legs in the air at most", unadjusted.mean,
-                   unadjusted.most_lifts)}};
-}
-
 }  // namespace
 
 Outcome fig6(const ExperimentContext&, figures::StagedFiles& files) {
   const std::uint32_t trial = trial_with_ccn_2();
-  std::array<Walk, 3> walks;
+  std::array<FirstSteps, 3> walks;
   for (std::size_t k = 0; k < kGaits.size(); ++k) walks[k] = walk(kGaits[k], trial);
 
   std::ofstream csv = files.create("fig6.csv");
@@ -123,7 +97,7 @@ Outcome fig6(const ExperimentContext&, figures::StagedFiles& files) {
                walks[2].advance[slice]);
   csv.close();
   draw(files, walks);
-  return {.verdicts = judge(walks),
+  return {.verdicts = judge_fig6(walks),
           .settings = {{"seed", std::to_string(kSeed)},
                        {"trial", std::to_string(trial)},
                        {"slices", std::to_string(kShown)},

@@ -8,15 +8,11 @@
 
 #include <algorithm>
 #include <hexagait/figures/gnuplot.hpp>
+#include <hexagait/pc04/judges.hpp>
 #include <hexagait/pc04/pc04.hpp>
-#include <hexagait/pc04/slice_comparison.hpp>
 
 namespace hexagait::experiments {
 namespace {
-
-enum Gait : std::size_t { kTripod, kFree, kUnadjusted, kLiteral };
-
-constexpr double kLevel = 0.99;  // of the tripod's speed: "the same level"
 
 constexpr const char* kScript = R"(
 set multiplot
@@ -53,50 +49,6 @@ void draw(figures::StagedFiles& files, const SliceComparison& c) {
   figures::draw_figure(files, "fig7a");
 }
 
-// Share of the tripod's mean speed, and whether it is 99 % with 95 % confidence.
-Verdict at_level(const SliceComparison& c, Gait gait, const std::string& claim) {
-  std::vector<double> needed = c.speeds(kTripod);
-  for (double& speed : needed) speed *= kLevel;
-  const statistics::Estimate margin = statistics::paired_difference(c.speeds(gait), needed);
-  const statistics::Estimate speed = statistics::estimate(c.speeds(gait)),
-                             tripod = statistics::estimate(c.speeds(kTripod));
-  return {
-      claim,
-      margin.lower() >= 0.0,
-      fmt::format("{} against {} units per slice: {:.1f} %, difference {}", spelt(speed),
-                  spelt(tripod), 100.0 * speed.mean / tripod.mean, spelt(c.ahead_of_first(gait))),
-      {}};
-}
-
-std::vector<Verdict> judge(const SliceComparison& c) {
-  Verdict literal =
-      at_level(c, kLiteral, "So it does with the mechanism to the letter of section 3.3");
-  literal.why_not =
-      "relations found anew in every slice forget the adjustment, which moves no pair < > and so "
-      "changes nobody's turn: slice for slice it walks as without adjustment. The free gait here "
-      "remembers adjusted relations (docs/theory.md 1, the latch)";
-
-  const Verdict unadjusted = at_level(c, kUnadjusted, "");
-  const statistics::Estimate settled =
-      statistics::paired_difference(c.settled_speeds(kFree), c.settled_speeds(kTripod));
-  const auto hashes = [&](Gait gait) {
-    std::vector<std::uint64_t> all;
-    for (const auto& run : c.runs[gait]) all.push_back(run.summary.hash);
-    return all;
-  };
-  const bool same_walk = hashes(kLiteral) == hashes(kUnadjusted);
-  literal.numbers += same_walk ? "; the same 100 walks, bit for bit, as without adjustment"
-                               : "; not the same walks as without adjustment";
-  return {at_level(c, kFree, "On flat ground the free gait performs at the tripod's level (99 %)"),
-          {"Only if the CCN is adjusted", !unadjusted.holds,
-           "without adjustment " + unadjusted.numbers},
-          {"After the start transient it is the tripod gait",
-           std::abs(settled.mean) + settled.half_width < 1e-9,
-           fmt::format("difference after {} slices: {}, in every one of {} starts",
-                       SliceComparison::kTransient, spelt(settled), SliceComparison::kTrials)},
-          literal};
-}
-
 }  // namespace
 
 Outcome fig7a(const ExperimentContext&, figures::StagedFiles& files) {
@@ -105,7 +57,7 @@ Outcome fig7a(const ExperimentContext&, figures::StagedFiles& files) {
   draw(files, c);
   const figures::Table table = summary_table(c);
   figures::write_csv(files, "fig7a.csv", table);
-  return {.verdicts = judge(c),
+  return {.verdicts = judge_fig7a(c),
           .settings = settings_of(c),
           .table = table,
           .compute_seconds = c.seconds};

@@ -8,13 +8,11 @@
 
 #include <algorithm>
 #include <hexagait/figures/gnuplot.hpp>
+#include <hexagait/pc04/judges.hpp>
 #include <hexagait/pc04/pc04.hpp>
-#include <hexagait/pc04/slice_comparison.hpp>
 
 namespace hexagait::experiments {
 namespace {
-
-enum Gait : std::size_t { kTripod, kFree, kUnadjusted, kWave };
 
 const std::vector<std::string> kGaits = {"tripod", "free", "unadjusted", "wave:0.6"};
 const std::vector<std::string> kDescents = {"descent:4-6", "descent:3-7", "descent:2-8",
@@ -120,37 +118,7 @@ void draw(figures::StagedFiles& files, const SliceComparison& descents,
   figures::draw_figure(files, "fig7b");
 }
 
-Verdict ahead(const std::vector<SliceComparison>& rough) {
-  const SliceComparison* worst = nullptr;
-  for (const SliceComparison& c : rough)
-    if (worst == nullptr || c.ahead_of_first(kFree).lower() < worst->ahead_of_first(kFree).lower())
-      worst = &c;
-  return {"On rough ground the free gait is ahead of the tripod controller",
-          worst->ahead_of_first(kFree).lower() > 0.0,
-          fmt::format("on {} grounds, least on {}: {} units per slice", rough.size(),
-                      worst->terrain, spelt(worst->ahead_of_first(kFree))),
-          {}};
-}
-
-// Below: the 95 % interval of the paired difference lies below 0 (1e-9: rounding).
-Verdict never_below(const std::vector<SliceComparison>& all, bool settled) {
-  std::string where;
-  int below = 0;
-  for (const SliceComparison& c : all) {
-    const statistics::Estimate e =
-        settled ? statistics::paired_difference(c.settled_speeds(kFree), c.settled_speeds(kTripod))
-                : c.ahead_of_first(kFree);
-    if (e.upper() > -1e-9) continue;
-    ++below;
-    where += fmt::format("{}{}: {}", where.empty() ? "" : ", ", c.terrain, spelt(e));
-  }
-  return {settled ? "The same, once the first 20 slices are over" : "On no terrain is it below it",
-          below == 0,
-          fmt::format("below on {} of {} grounds{}", below, all.size(),
-                      where.empty() ? "" : " (" + where + ")"),
-          {}};
-}
-
+// The grounds of the claim that it is ahead, and all grounds.
 std::vector<Verdict> judge(const std::vector<SliceComparison>& descents,
                            const std::vector<SliceComparison>& profiles) {
   std::vector<SliceComparison> rough = descents, all = descents;
@@ -159,31 +127,7 @@ std::vector<Verdict> judge(const std::vector<SliceComparison>& descents,
     // Up to half a slice's descent nobody feels it.
     if (0.5 < kRoughness[k] && kRoughness[k] <= kRoughest) rough.push_back(profiles[k]);
   }
-  Verdict strictly = never_below(all, false);
-  strictly.why_not =
-      "where the ground is flat to the feet both make 50 units every 6 slices, but from a random "
-      "posture the free gait takes up to two steps to find the tripod gait that the other begins "
-      "with: 0.6 % of 500 slices, and nothing of those that follow";
-
-  const SliceComparison& c = descents[1];
-  const double free_stroke =
-      statistics::estimate(c.each(kFree, [](const auto& r) { return r.summary.sweep; })).mean;
-  const double stroke =
-      statistics::estimate(c.each(kTripod, [](const auto& r) { return r.summary.sweep; })).mean;
-  const auto share = [&](Gait gait) {
-    return statistics::estimate(
-               c.each(gait, [](const auto& r) { return r.summary.fraction_of_bound(); }))
-        .mean;
-  };
-  const Verdict longer_strokes{
-      "(Ours, not the paper's.) It pays with longer strokes: a leg that waits for a neighbour on "
-      "low "
-      "ground is carried farther back. A robot whose workspaces end there gains less",
-      free_stroke > stroke,
-      fmt::format("on {} feet sweep up to {:.0f} units, the tripod controller's {:.0f}; speeds are "
-                  "{:.2f} and {:.2f} of what such strokes allow",
-                  c.terrain, free_stroke, stroke, share(kFree), share(kTripod))};
-  return {ahead(rough), strictly, never_below(all, true), longer_strokes};
+  return judge_fig7b(rough, all, descents[1]);
 }
 
 }  // namespace

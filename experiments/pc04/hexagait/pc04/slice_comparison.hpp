@@ -23,6 +23,7 @@ struct SliceComparison {
   std::vector<std::vector<Run>> runs;  ///< by gait and trial
   double seconds = 0.0;                ///< that it took
 
+  [[nodiscard]] const std::string& name() const { return terrain; }
   /// One figure of every trial of a gait.
   template <class Value>
   [[nodiscard]] std::vector<double> each(std::size_t gait, Value value) const {

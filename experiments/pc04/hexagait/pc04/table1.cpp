@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <hexagait/figures/drawing.hpp>
 #include <hexagait/pc04/gait_tables.hpp>
+#include <hexagait/pc04/judges.hpp>
 #include <hexagait/pc04/pc04.hpp>
 
 namespace hexagait::experiments {
@@ -91,27 +92,17 @@ std::vector<Table1Cell> table1_cells() {
 Outcome table1(const ExperimentContext& context, figures::StagedFiles& files) {
   const std::vector<Table1Cell> cells = table1_cells();
   figures::Table table{{"ccn", "type", "state", "rotations"}, {}};
-  int states = 0;
-  for (const Table1Cell& cell : cells) {
-    states += cell.states;
+  for (const Table1Cell& cell : cells)
     for (const std::string& state : cell.classes)
       table.rows.push_back({std::to_string(cell.ccn), std::string(1, cell.type), state,
                             std::to_string(cell.states)});
-  }
   figures::write_csv(files, "table1.csv", table);
   drawn(cells).draw(
       files, context.figure(
                  "table1", 1120, 610, "The gait states of six legs, modulo rotations of the ring",
                  "rows: clockwise circularity number · columns: who may step · below each "
                  "state: how many rotations it has · after [PC04] Table 1"));
-
-  const bool one_each =
-      std::ranges::all_of(cells, [](const Table1Cell& cell) { return cell.classes.size() == 1; });
-  return {.verdicts = {{"Each CCN and type has one state, modulo cyclic permutations", one_each,
-                        fmt::format("{} states in {} cells, {} classes", states, cells.size(),
-                                    table.rows.size())}},
-          .settings = {{"legs", "6"}},
-          .table = table};
+  return {.verdicts = {judge_table1(cells)}, .settings = {{"legs", "6"}}, .table = table};
 }
 
 }  // namespace hexagait::experiments

@@ -10,6 +10,7 @@
 #include <array>
 #include <hexagait/figures/drawing.hpp>
 #include <hexagait/pc04/gait_tables.hpp>
+#include <hexagait/pc04/judges.hpp>
 #include <hexagait/pc04/pc04.hpp>
 
 namespace hexagait::experiments {
@@ -139,10 +140,8 @@ const std::vector<Table2Row>& table2_printed() {
 Outcome table2(const ExperimentContext& context, figures::StagedFiles& files) {
   const std::vector<Table2Row> rows = table2_rows(6, 3);
   figures::Table table{{"row", "state", "ground", "type", "ccn", "event", "as_printed"}, {}};
-  int agreeing = 0;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const bool agrees = rows[k] == table2_printed()[k];
-    agreeing += agrees ? 1 : 0;
     table.rows.push_back({std::to_string(k + 1), rows[k].state, rows[k].ground,
                           std::string(1, rows[k].type),
                           std::to_string(std::ranges::count(rows[k].state, '<')), rows[k].event,
@@ -154,11 +153,7 @@ Outcome table2(const ExperimentContext& context, figures::StagedFiles& files) {
       context.figure("table2", 1070, 850, "A tripod gait from a state of type B, event by event",
                      "a … f: the legs along the ring · filled: on the ground · open: in the "
                      "air · after [PC04] Table 2"));
-  return {.verdicts = {{"The printed sequence leads from type B to the tripod gait",
-                        agreeing == static_cast<int>(kRows),
-                        fmt::format("{} of {} rows come out as printed (step time 6 slices, leg f "
-                                    "in the air for 3 more)",
-                                    agreeing, kRows)}},
+  return {.verdicts = {judge_table2(rows)},
           .settings = {{"state", "<<><>>"}, {"step_time_slices", "6"}, {"remaining_slices", "3"}},
           .table = table};
 }

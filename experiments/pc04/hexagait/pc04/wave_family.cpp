@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <hexagait/figures/gnuplot.hpp>
+#include <hexagait/pc04/judges.hpp>
 #include <hexagait/pc04/pc04.hpp>
 #include <hexagait/recording/recording.hpp>
 
@@ -20,21 +21,7 @@ using heading_control::Heading;
 constexpr double kHold = 18.0;     // time at each duty factor [s]
 constexpr double kJudged = 10.51;  // of that, the last part is judged: two periods at 5/6 [s]
 
-// What is asked of the gait once it is settled. A leg starts a few ticks of 2 ms after what it
-// waits for, up to three legs in a row, and steps differ by some ms: 3 % of a period covers both.
-constexpr double kDutyTolerance = 0.02;
-constexpr double kPhaseTolerance = 0.03;
-
-struct Segment {
-  double duty_factor;
-  const char* name;  // for the figure
-  double from = 0.0, to = 0.0;
-
-  // Measured over the last whole periods of the right rear leg.
-  double judged_from = 0.0, period = 0.0, step_time = 0.0, speed = 0.0;
-  double least_duty = 1.0, greatest_duty = 0.0, mean_duty = 0.0;
-  double phase_error = 0.0;
-};
+using Segment = WaveSegment;
 
 std::vector<Segment> segments() {
   std::vector<Segment> all = {{1.0 / 2.0, "1/2"}, {5.0 / 8.0, "5/8"}, {2.0 / 3.0, "2/3"},
@@ -71,6 +58,14 @@ Vector2 place_at(const recording::Recording& recording, double time) {
   return (it == samples.end() ? samples.back() : *it).X_WB.p.head<2>();
 }
 
+// Speed if each foot sweeps the whole stroke S: while m = n (1 − β) legs of n are in the air,
+// v = S m / ((n − m) T).
+double speed_by_law(const Segment& segment) {
+  const double stroke = footstep_gen::StepParams{}.stroke;
+  const double beta = segment.duty_factor;
+  return segment.step_time > 0.0 ? stroke * (1.0 - beta) / (beta * segment.step_time) : 0.0;
+}
+
 void measure(Segment& segment, const recording::Recording& recording) {
   constexpr LegId kRightRear = 5;
   std::vector<double> lifts;
@@ -102,14 +97,7 @@ void measure(Segment& segment, const recording::Recording& recording) {
     segment.mean_duty += duty / 6.0;
   }
   segment.speed = (place_at(recording, end) - place_at(recording, begin)).norm() / (end - begin);
-}
-
-// Speed if each foot sweeps the whole stroke S: while m = n (1 − β) legs of n are in the air,
-// v = S m / ((n − m) T).
-double speed_by_law(const Segment& segment) {
-  const double stroke = footstep_gen::StepParams{}.stroke;
-  const double beta = segment.duty_factor;
-  return segment.step_time > 0.0 ? stroke * (1.0 - beta) / (beta * segment.step_time) : 0.0;
+  segment.speed_by_law = speed_by_law(segment);
 }
 
 void write_segments(std::ostream& out, const std::vector<Segment>& segments) {
@@ -119,7 +107,7 @@ void write_segments(std::ostream& out, const std::vector<Segment>& segments) {
     out << fmt::format("{},{},{:.6f},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f}\n",
                        s.from, s.to, s.duty_factor, s.name, s.mean_duty, s.least_duty,
                        s.greatest_duty, s.period, s.step_time, s.phase_error, s.speed,
-                       speed_by_law(s));
+                       s.speed_by_law);
 }
 
 // The duty factor of every single step: from its lift to the leg's next.
@@ -247,46 +235,6 @@ void draw(figures::StagedFiles& files, const std::vector<Segment>& segments,
   }
 }
 
-template <class Value>
-double worst(const std::vector<Segment>& segments, Value value) {
-  double most = 0.0;
-  for (const Segment& segment : segments) most = std::max(most, value(segment));
-  return most;
-}
-
-std::vector<Verdict> judge(const std::vector<Segment>& segments, const walk::Summary& s) {
-  const bool walked = std::ranges::all_of(segments, [](const Segment& x) { return x.period > 0; });
-  const double duty = worst(segments, [](const Segment& x) {
-    return std::max(x.greatest_duty - x.duty_factor, x.duty_factor - x.least_duty);
-  });
-  const double phase = worst(segments, [](const Segment& x) { return x.phase_error; });
-  const double speed =
-      worst(segments, [](const Segment& x) { return std::abs(x.speed / speed_by_law(x) - 1.0); });
-  std::string speeds;
-  for (std::size_t k = 0; k <= segments.size() / 2; ++k)
-    speeds += fmt::format("{}{:.3f}", k == 0 ? "" : ", ", segments[k].speed);
-  const Segment& last = segments.back();
-  return {{fmt::format("Each leg stands for the share of the time that is asked for, to ±{}",
-                       kDutyTolerance),
-           walked && duty <= kDutyTolerance,
-           fmt::format("β from 1/2 to 5/6 and back: off by {:.3f} in the worst leg", duty)},
-          {fmt::format("All are wave gaits: each side lifts from the rear forwards, one step time "
-                       "apart, and the sides half a period apart, to ±{} of the period",
-                       kPhaseTolerance),
-           walked && phase <= kPhaseTolerance,
-           fmt::format("off by {:.3f} of a period in the worst step", phase)},
-          {"Turned back to 1/2 it is the tripod gait again",
-           walked && last.phase_error <= kPhaseTolerance,
-           fmt::format("the legs of a tripod lift within {:.3f} of a period of {:.2f} s",
-                       2.0 * last.phase_error, last.period)},
-          {"Speed follows from the legs in the air: v = S m / ((n − m) T) to ±10 %", speed <= 0.10,
-           fmt::format("{} m/s on the way up; off by {:.1f} % at worst", speeds, 100.0 * speed)},
-          {"No two neighbouring legs are ever off the ground together, and it does not fall",
-           s.ok() && s.rule1_violations == 0 && s.neighbour_flight == 0.0,
-           fmt::format("{} violations, {:.3f} s, contact lost {} times, {:.1f} m walked",
-                       s.rule1_violations, s.neighbour_flight, s.contact_losses, s.distance)}};
-}
-
 }  // namespace
 
 Outcome wave_family(const ExperimentContext& context, figures::StagedFiles& files) {
@@ -306,7 +254,7 @@ Outcome wave_family(const ExperimentContext& context, figures::StagedFiles& file
   for (Segment& segment : parts) measure(segment, recording);
   draw(files, parts, recording, *context.robot);
   return {.walk = recording::WalkReport{context.robot->name, simulation, summary},
-          .verdicts = judge(parts, summary)};
+          .verdicts = judge_wave_family(parts, summary)};
 }
 
 }  // namespace hexagait::experiments

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <hexagait/experiments/claim.hpp>
 #include <hexagait/figures/table.hpp>
 #include <hexagait/recording/json.hpp>
 #include <optional>
@@ -10,17 +11,6 @@
 #include <vector>
 
 namespace hexagait::experiments {
-
-/// A claim of a paper, tested.
-struct Verdict {
-  std::string claim;         ///< what the paper says
-  bool holds = false;        ///< does it, here?
-  std::string numbers;       ///< the measurements that decide it, in words
-  std::string why_not = {};  ///< if it is known not to hold: the reason. Such a claim fails no run.
-
-  /// It holds, or it is known why not.
-  [[nodiscard]] bool is_accounted_for() const { return holds || !why_not.empty(); }
-};
 
 /// What an experiment found.
 struct Outcome {
@@ -38,8 +28,12 @@ struct Manifest {
     std::uint64_t hash = 0;  ///< FNV-1a of the bytes
   };
   std::string experiment, title;
+  bool short_form = false;
   Outcome outcome;
   std::vector<Output> outputs;
+
+  /// There are claims, and each holds, fails as it was declared to, or is left to the full length.
+  [[nodiscard]] bool is_accounted_for() const;
 };
 
 /// The manifest as one JSON object: version, compiler, configuration, results, hashes. Everything

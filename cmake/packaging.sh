@@ -1,0 +1,181 @@
+# SPDX-FileCopyrightText: 2026 The hexagait authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# What `./check --all` does about switches, installed headers and packages; sourced by it.
+
+kPrefix=build/installed
+kComponents=(controller urdf actions verify sim sim2d sim3d walk statistics figures recording sweeps)
+
+# The foreign libraries that a component, or a switch, may use; Eigen always.
+declare -A kForeign=(
+  [urdf]=urdfdom [actions]='fmt yaml-cpp' [verify]=fmt [sim2d]=box2d [sim3d]=ode
+  [walk]='fmt yaml-cpp' [figures]=fmt [recording]='fmt yaml-cpp box2d ode urdfdom'
+  [sweeps]='fmt yaml-cpp box2d ode urdfdom')
+
+# hide_but LIBRARY…: prints options that hide all foreign libraries but these from find_package, and
+# leaves of pkg-config's files in build/visible those of these.
+hide_but() {
+  local library file
+  for library in fmt yaml-cpp box2d Boost nlohmann_json CLI11 GTest rapidcheck benchmark; do
+    [[ " $* " == *" $library "* ]] || printf -- '-DCMAKE_DISABLE_FIND_PACKAGE_%s=ON\n' "$library"
+  done
+  rm -rf build/visible
+  mkdir -p build/visible
+  for library in eigen3 ${*/urdfdom/urdfdom console_bridge}; do
+    for file in /usr/{lib,lib/*,share}/pkgconfig/"$library"*.pc; do
+      [[ ! -f $file ]] || sed "s|\${pcfiledir}|${file%/*}|" "$file" >"build/visible/${file##*/}"
+    done
+  done
+}
+
+# none COMMAND…: fails if the command finds something.
+none() { ! "$@"; }
+
+# configure DIR OPTION…: only what is in build/visible is there for pkg-config.
+configure() {
+  PKG_CONFIG_LIBDIR=$PWD/build/visible cmake -S . -B "$1" -G Ninja -DCMAKE_CXX_COMPILER=g++ \
+    -DHEXAGAIT_WERROR=ON -DHEXAGAIT_TOOLS=OFF -DHEXAGAIT_TESTS=OFF "${@:2}"
+}
+
+# Each combination of the switches that makes sense: what is off is not even looked for.
+check_combinations() {
+  local dir=build/combination urdf actions sim2d sim3d figures sweeps count=0 libraries hidden
+  for urdf in ON OFF; do for actions in ON OFF; do for sim2d in ON OFF; do for sim3d in ON OFF; do
+    for figures in ON OFF; do for sweeps in ON OFF; do
+      [[ $figures == OFF || $actions$sim2d$sim3d == ONONON ]] || continue
+      [[ $sweeps == OFF || $figures$urdf == ONON ]] || continue
+      libraries=()
+      [[ $urdf == OFF ]] || libraries+=(urdfdom fmt)  # fmt: verify, below
+      [[ $actions == OFF ]] || libraries+=(fmt yaml-cpp)
+      [[ $sim2d == OFF ]] || libraries+=(box2d)
+      [[ $sim3d == OFF ]] || libraries+=(ode)
+      [[ $figures == OFF ]] || libraries+=(Boost nlohmann_json)
+      mapfile -t hidden < <(hide_but "${libraries[@]}")
+      rm -rf "$dir"
+      configure "$dir" "${hidden[@]}" -DHEXAGAIT_URDF=$urdf -DHEXAGAIT_VERIFY=$urdf \
+        -DHEXAGAIT_ACTIONS=$actions -DHEXAGAIT_SIM2D=$sim2d -DHEXAGAIT_SIM3D=$sim3d \
+        -DHEXAGAIT_FIGURES=$figures -DHEXAGAIT_SWEEPS=$sweeps
+      cmake --build "$dir"
+      count=$((count + 1))
+    done; done
+  done; done; done; done
+  check_refusals
+  printf '%d combinations, 5 refused' "$count" >"$note"
+}
+
+# What makes no sense is refused by one message that names both switches; alone, OFF takes along
+# what needs it.
+check_refusals() {
+  local dir=build/combination pair said
+  hide_but fmt yaml-cpp box2d ode urdfdom >/dev/null
+  for pair in FIGURES:ACTIONS FIGURES:SIM2D FIGURES:SIM3D SWEEPS:FIGURES SWEEPS:URDF; do
+    rm -rf "$dir"
+    if said=$(configure "$dir" "-DHEXAGAIT_${pair%:*}=ON" "-DHEXAGAIT_${pair#*:}=OFF" 2>&1); then
+      printf 'not refused: %s\n' "$pair"
+      return 1
+    fi
+    grep -q "HEXAGAIT_${pair%:*} is ON, but it needs HEXAGAIT_${pair#*:}" <<<"$said" ||
+      { printf '%s\n' "$said"; return 1; }
+  done
+  rm -rf "$dir"
+  configure "$dir" -DHEXAGAIT_SIM3D=OFF
+  grep -q '^HEXAGAIT_SWEEPS:BOOL=OFF' "$dir/CMakeCache.txt"
+}
+
+install_here() {
+  rm -rf "$kPrefix"
+  cmake --install build/release --prefix "$kPrefix"
+}
+
+# Every installed header compiles alone, and twice, with nothing to include but what is installed.
+check_headers() {
+  local dir=build/headers header
+  [[ -d $kPrefix ]] || install_here
+  rm -rf "$dir"
+  mkdir -p "$dir"
+  while read -r header; do
+    printf '#include <%s>\n#include <%s>\n' "$header" "$header" >"$dir/${header//\//-}.cpp"
+  done < <(cd "$kPrefix/include" && find hexagait -name '*.hpp')
+  find "$dir" -name '*.cpp' -print0 | xargs -0 -P "$(nproc)" -I{} \
+    g++ -std=c++20 -fsyntax-only -Wall -Wextra -Werror -I"$kPrefix/include" -isystem /usr/include/eigen3 {}
+  find "$dir" -name '*.cpp' | wc -l | awk '{printf "%d headers", $1}' >"$note"
+}
+
+# consume PREFIX COMPONENT: a project of its own finds the component where it is installed, and of
+# what else there is only what the component may use; by find_package, then by pkg-config.
+consume() {
+  local prefix=$PWD/$1 component=$2 dir=build/consumer/$2 hidden allowed pc
+  read -ra allowed <<<"${kForeign[$component]:-}"
+  mapfile -t hidden < <(hide_but "${allowed[@]}")
+  local components=$component
+  [[ $component != recording ]] || components='recording;urdf'
+  PKG_CONFIG_LIBDIR=$PWD/build/visible cmake -S examples/consumer -B "$dir" -G Ninja \
+    -DCMAKE_PREFIX_PATH="$prefix" -DCOMPONENTS="$components" "${hidden[@]}"
+  cmake --build "$dir"
+  ctest --test-dir "$dir" --output-on-failure
+  for pc in fmt yaml-cpp box2d ode urdfdom; do
+    [[ " ${allowed[*]} " != *" $pc "* ]] || continue
+    none grep -E "LINK_LIBRARIES.*lib$pc" "$dir/build.ninja"
+    none grep "lib$pc" <(ldd "$dir/use_$component")
+  done
+
+  local flags
+  pc=$(dirname "$(find "$prefix" -name "hexagait-$component.pc")")
+  # shellcheck disable=SC2086  # words on purpose
+  flags=$(PKG_CONFIG_LIBDIR=$pc:$PWD/build/visible \
+            pkg-config --cflags --libs hexagait-${components//;/ hexagait-})
+  # shellcheck disable=SC2086
+  ccache g++ -std=c++20 -c -o "$dir/use.o" "examples/consumer/$component.cpp" $flags
+  # shellcheck disable=SC2086
+  g++ -o "$dir/by_pkg_config" "$dir/use.o" $flags
+  LD_LIBRARY_PATH=$pc/.. "$dir/by_pkg_config" "$prefix"/share/hexagait/{robots,actions}
+}
+
+# Nothing that is installed knows where it was made; each component brings what it needs.
+check_install() {
+  local component
+  install_here
+  none grep -rlF "$PWD" "$kPrefix"
+  rm -rf build/consumer
+  for component in "${kComponents[@]}"; do consume "$kPrefix" "$component"; done
+  if PKG_CONFIG_LIBDIR=$PWD/build/visible cmake -S examples/consumer -B build/consumer/none -G Ninja \
+       -DCMAKE_PREFIX_PATH="$PWD/$kPrefix" -DCOMPONENTS=legs >build/consumer/none.log 2>&1; then
+    return 1
+  fi
+  grep -q "without 'legs'" build/consumer/none.log
+  printf '%d components' "${#kComponents[@]}" >"$note"
+}
+
+# Shared libraries, each linked to all that it uses; and the command beside them.
+check_shared() {
+  local prefix=build/shared-installed
+  cmake -S . -B build/shared -G Ninja -DCMAKE_CXX_COMPILER=g++ -DBUILD_SHARED_LIBS=ON \
+    -DHEXAGAIT_TESTS=OFF -DHEXAGAIT_WERROR=ON -DCMAKE_SHARED_LINKER_FLAGS=-Wl,--no-undefined
+  cmake --build build/shared
+  rm -rf "$prefix" build/consumer
+  cmake --install build/shared --prefix "$prefix"
+  none grep -rlF "$PWD" "$prefix"
+  consume "$prefix" controller
+  consume "$prefix" sweeps
+  "$prefix/bin/hexagait" walk --seconds 1 | tail -n 1
+  printf '%d libraries' "$(find "$prefix" -name 'libhexagait_*.so' | wc -l)" >"$note"
+}
+
+# The Debian package says what it needs, and works from where it is unpacked.
+check_package() {
+  local file root=build/package/root depends package
+  rm -rf build/package
+  mkdir -p "$root"
+  (cd build/release && cpack -G DEB -B ../package)
+  file=$(echo build/package/*.deb)
+  depends=$(dpkg-deb -f "$file" Depends)
+  for package in libbox2d-dev libeigen3-dev libfmt-dev libode-dev liburdfdom-dev libyaml-cpp-dev libc6; do
+    [[ "$depends" == *"$package"* ]] || { printf 'no %s in: %s\n' "$package" "$depends"; return 1; }
+  done
+  [[ $(dpkg-deb -f "$file" Recommends) == gnuplot-nox ]]
+  dpkg-deb -x "$file" "$root"
+  rm -rf build/consumer
+  consume "$root/usr" controller
+  "$root/usr/bin/hexagait" run nod --robot argos | tail -n 1
+  du -h "$file" | awk '{printf "%s", $1}' >"$note"
+}

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <hexagait/experiments/claim.hpp>
+#include <hexagait/walk/summary.hpp>
+#include <span>
+
+namespace hexagait::experiments {
+
+/// What no walk may do, whatever else it shows: none of them falls, and no controller stops by
+/// itself with a fault.
+[[nodiscard]] std::vector<SafetyCheck> no_fall(std::span<const walk::Summary> walks);
+
+/// The same; and rule 1: no leg is lifted beside one that is off the ground, and two neighbours are
+/// off it together for no more than a share of any walk's time, as a foot that stands can lose its
+/// hold.
+[[nodiscard]] std::vector<SafetyCheck> no_fall_and_rule_1(std::span<const walk::Summary> walks,
+                                                          double most_flight_percent = 0.0);
+
+/// How many of them, as a share with its interval.
+template <class Range, class Predicate>
+[[nodiscard]] statistics::Proportion share_of(const Range& range, Predicate predicate) {
+  int count = 0, all = 0;
+  for (const auto& one : range) {
+    ++all;
+    count += predicate(one) ? 1 : 0;
+  }
+  return statistics::proportion(count, all);
+}
+
+/// A number of each.
+template <class Range, class Value>
+[[nodiscard]] std::vector<double> each(const Range& range, Value value) {
+  std::vector<double> values;
+  for (const auto& one : range) values.push_back(static_cast<double>(value(one)));
+  return values;
+}
+
+/// The greatest of a number over some walks: NaN, which no bound contains, if one is NaN or if
+/// there are none.
+template <class Range, class Value>
+[[nodiscard]] double worst(const Range& range, Value value) {
+  return statistics::greatest(each(range, value));
+}
+
+}  // namespace hexagait::experiments
