@@ -61,9 +61,9 @@ do for [k=0:frames-1] {
        steps using (column("land_s") < time ? column("x_m") : NaN):"y_m" with points pt 7 ps 0.5 lc rgb grey, \
        body using "ideal_x_m":"ideal_y_m" with lines lw 1 dt 2 lc rgb ink, \
        body using "x_m":"y_m" every ::0::now with lines lw 1.5 lc rgb accent, \
-       support using "x_m":"y_m" every :::k::k with lines lw 2 lc rgb accent, \
        above using "x_m":"y_m" every :::o0::o1 with filledcurves closed lc rgb "#dfe5ea", \
        above using "x_m":"y_m" every :::o0::o1 with lines lw 1.5 lc rgb ink, \
+       support using "x_m":"y_m" every :::k::k with lines lw 2 lc rgb accent, \
        for [i=0:legs-1] feet using "x_m":"y_m" every ::from:i:to:i with lines lw 1 \
            lc rgb (i % 2 == 0 ? left_side : right_side), \
        lines using "x_m":"y_m" every :2::b0::b1 with lines lw 3 lc rgb left_side, \

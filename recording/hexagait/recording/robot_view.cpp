@@ -148,7 +148,7 @@ Csv RobotView::profile() const {
   };
   // Behind the start and beyond the end the path goes straight on.
   constexpr double kStep = 0.005;
-  const double room = body_length();
+  const double room = 3.0 * body_length();
   const auto& samples = recording_.samples();
   for (double s = -room; s < 0.0; s += kStep) add(samples.front(), s);
   for (const Sample& sample : samples) add(sample, 0.0);
