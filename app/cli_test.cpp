@@ -76,6 +76,7 @@ TEST_F(Cli, RefusesWhatItDoesNotKnow) {
   refuses("walk --fast", {"--fast", "--help"});
   refuses("walk --seconds", {"--seconds"});
   refuses("experiment fig99", {"fig99", "fig9", "fig10", "all"});
+  refuses("experiment fig4 --title big", {"--title", "big", "none"});
 }
 
 TEST_F(Cli, RefusesFilesThatItCouldNotWriteBeforeItWalks) {
@@ -273,6 +274,14 @@ TEST_F(Cli, MakesTheSameFigureInEveryProcess) {
   run("experiment fig6 --out b --quiet");
   for (const char* name : {"fig6.svg", "fig6.csv", "fig6.gp"})
     EXPECT_EQ(content(here() / "a/fig6" / name), content(here() / "b/fig6" / name)) << name;
+}
+
+TEST_F(Cli, LeavesTitlesOutOfFiguresIfAsked) {
+  run("experiment fig4 --quiet --title none");
+  const std::string svg = content(here() / "results/fig4/fig4.svg");
+  EXPECT_THAT(svg, HasSubstr("All 20 states"));
+  EXPECT_THAT(svg, Not(HasSubstr("Transitions between")));
+  EXPECT_THAT(svg, HasSubstr("width=\"1400\" height=\"825\""));
 }
 
 // Interrupted, it tells how far it got, and its trace is whole.

@@ -28,6 +28,7 @@ int run_command(const ActionArguments& arguments);
 struct ExperimentArguments {
   std::string name = "all";
   std::string out = "results";
+  std::string title = "auto";  ///< of the figures; or none
   bool list = false, short_form = false, json = false, quiet = false;
 };
 

@@ -60,7 +60,8 @@ int experiment_command(const ExperimentArguments& arguments) {
                             {.robot = &robot,
                              .progress = [&](double share) { progress.at(share); },
                              .stop = &interrupted,
-                             .short_form = arguments.short_form},
+                             .short_form = arguments.short_form,
+                             .titles = arguments.title != "none"},
                             arguments.out));
     if (interrupted) return kInterrupted;
   }

@@ -96,6 +96,9 @@ void add_experiment(CLI::App& app, ExperimentArguments& a) {
   experiment->add_option("--out", a.out, "Directory; a directory per experiment is made in it")
       ->type_name("DIR")
       ->capture_default_str();
+  experiment->add_option("--title", a.title, "none: figures without titles, for a paper")
+      ->check(CLI::IsMember({"auto", "none"}))
+      ->capture_default_str();
   experiment->add_flag("--list", a.list, "List the experiments");
   experiment->add_flag("--short", a.short_form,
                        "Some seconds each; claims that need the full length are not judged");
@@ -140,12 +143,22 @@ void add_merge(CLI::App& app, MergeArguments& a) {
 
 void add_report(CLI::App& app, ReportArguments& a) {
   CLI::App* report = app.add_subcommand("report", "Statistics and a figure of a finished sweep");
-  report->footer("\nExample:\n  hexagait report results/speed --measure fraction_of_bound");
+  report->footer(
+      "\nExamples:\n  hexagait report results/speed --measure fraction_of_bound\n"
+      "  hexagait report results/speed --measure fell --measure arrived --compare terrains\n\n"
+      "--json prints one JSON object (a list of several measures), and draws nothing.");
   report->add_option("directory", a.directory, "Of the sweep's results")
       ->type_name("DIR")
       ->required();
-  report->add_option("--measure", a.measure, "Column of trials.csv; default what the sweep says")
-      ->type_name("COLUMN");
+  report->add_option("--measure", a.measures, "Columns of trials.csv; default what the sweep says")
+      ->type_name("COLUMN")
+      ->allow_extra_args(false);
+  report->add_option("--compare", a.compare, "What is compared with the first of them")
+      ->type_name("controllers|terrains|robots")
+      ->capture_default_str();
+  report->add_flag("--all-trials", a.all_trials,
+                   "Means also of trials that fell, got stuck or ended by a fault");
+  report->add_option("--title", a.title, "Of the figure, or none")->type_name("TEXT|none");
   report->add_flag("--json", a.json, "Print one JSON object");
 }
 

@@ -157,11 +157,34 @@ TEST_F(SweepCli, ReportsWithATableAndAFigure) {
   EXPECT_EQ(run("sweep sweep.yaml --out a").status, 0);
   const Result words = run("report a");
   EXPECT_EQ(words.status, 0);
-  EXPECT_THAT(words.out, AllOf(HasSubstr("less tripod"), HasSubstr("±"), HasSubstr("report.svg")));
-  EXPECT_TRUE(fs::exists(at("a/report.pdf")));
+  EXPECT_THAT(words.out, AllOf(HasSubstr("less tripod"), HasSubstr("±"), HasSubstr("%)"),
+                               HasSubstr("report-speed_units_per_slice.svg")));
+  EXPECT_TRUE(fs::exists(at("a/report-speed_units_per_slice.pdf")));
   const auto json = nlohmann::json::parse(run("report a --json --measure steps").out);
   EXPECT_EQ(json["measure"], "steps");
   EXPECT_EQ(json["lines"][1]["difference"]["count"], 20);
+  EXPECT_EQ(run("report a --compare gaits").status, 2);
+}
+
+TEST_F(SweepCli, ReportsSeveralMeasuresEachInItsOwnFiles) {
+  EXPECT_EQ(run("sweep sweep.yaml --out a").status, 0);
+  EXPECT_EQ(run("report a --measure steps --measure stroke_units --title none").status, 0);
+  EXPECT_TRUE(fs::exists(at("a/report-steps.svg")));
+  EXPECT_TRUE(fs::exists(at("a/report-stroke_units.svg")));
+  const auto json =
+      nlohmann::json::parse(run("report a --json --measure steps --measure stroke_units").out);
+  EXPECT_EQ(json[1]["measure"], "stroke_units");
+}
+
+// A cluster has no gnuplot: JSON needs none, and the table comes before the complaint.
+TEST_F(SweepCli, ReportsNumbersWithoutGnuplot) {
+  EXPECT_EQ(run("sweep sweep.yaml --out a").status, 0);
+  prefix_ = "PATH=/nowhere; ";
+  EXPECT_EQ(run("report a --json").status, 0);
+  const Result words = run("report a");
+  EXPECT_EQ(words.status, 2);
+  EXPECT_THAT(words.out, HasSubstr("less tripod"));
+  EXPECT_THAT(words.err, HasSubstr("gnuplot"));
 }
 
 TEST_F(SweepCli, WritesJobFilesThatABashCanRead) {

@@ -76,6 +76,13 @@ std::string find_robot(const std::string& name) {
   }
 }
 
+sweep::Compare comparison(const std::string& text) {
+  for (const sweep::Compare known : sweep::kComparisons)
+    if (text == to_string(known)) return known;
+  throw InvalidInput(
+      fmt::format("--compare is '{}'; it must be controllers, terrains or robots", text));
+}
+
 int emit(const SweepArguments& arguments) {
   const sweep::Scheduler scheduler = sweep::parse_scheduler(arguments.emit);
   if (arguments.shards.empty())
@@ -216,11 +223,29 @@ int sweep_command(const SweepArguments& arguments) {
 }
 
 int report_command(const ReportArguments& arguments) {
-  const sweep::Report report = sweep::make_report(arguments.directory, arguments.measure);
-  draw(report);
-  fmt::print("{}", arguments.json ? to_json(report) + "\n" : in_words(report));
-  if (!arguments.json)
-    fmt::print("Drawn: {}\n", (fs::path(arguments.directory) / "report.svg").string());
+  std::vector<std::string> measures = arguments.measures;
+  if (measures.empty()) measures.emplace_back();
+  std::vector<sweep::Report> reports;
+  for (const std::string& measure : measures)
+    reports.push_back(
+        sweep::make_report(arguments.directory, {.measure = measure,
+                                                 .compare = comparison(arguments.compare),
+                                                 .all_trials = arguments.all_trials}));
+  if (arguments.json) {
+    std::vector<std::string> texts;
+    for (const sweep::Report& report : reports) texts.push_back(to_json(report));
+    const std::string all = fmt::format("{}", fmt::join(texts, ",\n"));
+    fmt::print("{}\n", texts.size() == 1 ? all : "[" + all + "]");
+    return kOk;
+  }
+  for (const sweep::Report& report : reports) fmt::print("{}", in_words(report));
+  std::fflush(stdout);  // a table is worth having where there is no gnuplot
+  for (const sweep::Report& report : reports) {
+    const std::string title = arguments.title.empty() ? usual_headline(report) : arguments.title;
+    draw(report, title == "none" ? "" : title);
+    fmt::print("Drawn: {}\n",
+               (fs::path(arguments.directory) / (report_stem(report) + ".svg")).string());
+  }
   return kOk;
 }
 

@@ -32,8 +32,10 @@ int merge_command(const MergeArguments& arguments);
 
 /// `hexagait report` as it was typed.
 struct ReportArguments {
-  std::string directory, measure;
-  bool json = false;
+  std::string directory;
+  std::vector<std::string> measures;  ///< none: what the sweep says
+  std::string compare = "controllers", title;
+  bool all_trials = false, json = false;
 };
 
 /// `hexagait report`. @throws InvalidInput

@@ -12,14 +12,14 @@
 namespace hexagait::app {
 namespace {
 
-using verify::Cell;
-using verify::Report;
-using verify::Table;
+using verify::CaseTable;
+using verify::CaseValue;
 using verify::Theorem;
+using verify::TheoremReport;
 
 constexpr std::size_t kWidth = 98;  // of a paragraph
 
-std::string in_words(const Cell& cell) {
+std::string in_words(const CaseValue& cell) {
   if (const auto* number = std::get_if<std::int64_t>(&cell)) return fmt::format("{}", *number);
   if (const auto* number = std::get_if<double>(&cell)) return fmt::format("{:.4f}", *number);
   return std::get<std::string>(cell);
@@ -35,14 +35,14 @@ std::string aligned(const std::string& text, std::size_t columns) {
   return fmt::format("{:{}}{}", "", columns - width(text), text);
 }
 
-void print(const Table& table) {
+void print(const CaseTable& table) {
   if (table.rows.empty()) return;
   std::vector<std::vector<std::string>> lines(1, table.columns);
   for (std::string& heading : lines.front()) std::ranges::replace(heading, '_', ' ');
   for (const auto& row : table.rows) {
     lines.emplace_back();
     std::ranges::transform(row, std::back_inserter(lines.back()),
-                           [](const Cell& cell) { return in_words(cell); });
+                           [](const CaseValue& cell) { return in_words(cell); });
   }
   for (const auto& line : lines) {
     std::string text = "  ";
@@ -81,7 +81,7 @@ void print(const Theorem& theorem) {
   fmt::print("\n");
 }
 
-std::int64_t cases(const Report& report) {
+std::int64_t cases(const TheoremReport& report) {
   std::int64_t sum = 0;
   for (const Theorem& theorem : report.theorems) sum += theorem.cases;
   return sum;
@@ -106,7 +106,7 @@ nlohmann::ordered_json json(const Theorem& theorem) {
   return object;
 }
 
-void print_json(const Report& report) {
+void print_json(const TheoremReport& report) {
   nlohmann::ordered_json theorems = nlohmann::ordered_json::array();
   for (const Theorem& theorem : report.theorems) theorems.push_back(json(theorem));
   const nlohmann::ordered_json object = {
@@ -117,7 +117,7 @@ void print_json(const Report& report) {
 }  // namespace
 
 int verify_command(bool as_json, bool quiet) {
-  Report report;
+  TheoremReport report;
   {
     Progress progress(1.0, Progress::Measure::share, quiet);
     report = verify::verify({}, {}, [&](double share) { progress.at(share); });

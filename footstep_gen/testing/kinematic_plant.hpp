@@ -8,7 +8,7 @@
 #include <hexagait/sim/random.hpp>
 
 /// For tests and benchmarks: a robot of n legs, and a world without dynamics. (Not inlined: GCC 12
-/// would see that the places of absent legs are copied uninitialised, and warn.)
+/// would warn that unused elements are copied uninitialised.)
 namespace hexagait::footstep_gen::testing {
 
 /// A symmetric robot of n legs, 4 to 12, in pairs 0.35 m apart: the leg of robots/argos.urdf on
@@ -32,9 +32,9 @@ namespace hexagait::footstep_gen::testing {
   return robot;
 }
 
-/// A robot on the plane z = 0 that does exactly as it is told: joints are where they were commanded
-/// one period later, and the body moves by the twist that the executor commanded. Feet have contact
-/// when they reach the ground, and keep it up to half a millimetre above (rubber).
+/// A robot on the plane z = 0 that follows its commands exactly: joints are at their targets one
+/// period later, and the body moves with the executor's twist. A foot has contact when it reaches
+/// the ground, until it is half a millimetre above it.
 struct KinematicPlant {
   const RobotModel* model;
   Pose X_OB;

@@ -16,7 +16,7 @@ struct ExperimentContext {
   std::function<void(double share)> progress;  ///< called now and then with 0 … 1
   const std::atomic<bool>* stop = nullptr;     ///< once true, the experiment ends early
   bool short_form = false;  ///< some seconds; claims that need more are not judged, and say so
-  bool titles = true;                          ///< above the figures
+  bool titles = true;       ///< above the figures
 
   /// A figure in all formats, on a sheet of width × height [px of a PNG].
   [[nodiscard]] figures::Figure figure(const std::string& stem, int width, int height,

@@ -30,8 +30,10 @@ class Csv {
     for (const std::string& cell : row) add(cell);
     text_.back() = '\n';
   }
-  /// A blank line: a curve through the rows is interrupted here.
-  void gap() { text_ += '\n'; }
+  /// A blank line, one at a time: a curve through the rows is interrupted here.
+  void gap() {
+    if (!text_.ends_with("\n\n")) text_ += '\n';
+  }
 
   [[nodiscard]] const std::string& text() const { return text_; }
 

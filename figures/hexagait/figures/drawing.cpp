@@ -13,29 +13,16 @@ constexpr double kHead = 9.0;  // length of an arrow-head [px]
 
 }  // namespace
 
-std::string type_shade(char type) {
-  switch (type) {
-    case 'A':
-      return "#dfe6eb";
-    case 'B':
-      return "#bccad4";
-    case 'C':
-      return "#93a9b7";
-    default:
-      return "#5d7a8c";
-  }
-}
-
 void Drawing::text(const Vector2& place, const std::string& text, const TextStyle& style) {
   front_ += fmt::format(
-      "set label {} at {:.2f},{:.2f} {} front noenhanced font {}('{}', {}) textcolor rgb '{}'\n",
+      "set label {} at {:.2f},{:.2f} {} front noenhanced font {}('{}', {}) textcolor rgb {}\n",
       quoted(text), place.x(), place.y(), style.align, style.mono ? "mono" : "sized",
       style.bold ? ":Bold" : "", style.points, style.colour);
 }
 
 void Drawing::box(const Vector2& least, const Vector2& greatest, const std::string& fill) {
   front_ += fmt::format(
-      "set object rectangle from {:.2f},{:.2f} to {:.2f},{:.2f} front fc rgb '{}' fs solid 1 "
+      "set object rectangle from {:.2f},{:.2f} to {:.2f},{:.2f} front fc rgb {} fs solid 1 "
       "noborder\n",
       least.x(), least.y(), greatest.x(), greatest.y(), fill);
 }
@@ -43,9 +30,9 @@ void Drawing::box(const Vector2& least, const Vector2& greatest, const std::stri
 void Drawing::disc(const Vector2& centre, double radius, const std::string& fill,
                    const std::string& border) {
   front_ += fmt::format(
-      "set object circle at {0:.2f},{1:.2f} size first {2:.2f} front fc rgb '{3}' fs solid 1 "
+      "set object circle at {0:.2f},{1:.2f} size first {2:.2f} front fc rgb {3} fs solid 1 "
       "noborder\n"
-      "set object circle at {0:.2f},{1:.2f} size first {2:.2f} front fs empty border lc rgb '{4}' "
+      "set object circle at {0:.2f},{1:.2f} size first {2:.2f} front fs empty border lc rgb {4} "
       "lw 1.2\n",
       centre.x(), centre.y(), radius, fill, border);
 }
@@ -56,7 +43,7 @@ void Drawing::arrow(const std::vector<Vector2>& points, const std::string& colou
   data_ += name + " << EOD\nx,y\n";
   for (const Vector2& p : points) data_ += fmt::format("{:.2f},{:.2f}\n", p.x(), p.y());
   data_ += "EOD\n";
-  plots_ += fmt::format("{}{} using \"x\":\"y\" with lines lw {} lc rgb '{}'",
+  plots_ += fmt::format("{}{} using \"x\":\"y\" with lines lw {} lc rgb {}",
                         plots_.empty() ? "plot " : ", \\\n     ", name, line_width, colour);
 
   // The head: a triangle along the last piece.
@@ -67,7 +54,7 @@ void Drawing::arrow(const std::vector<Vector2>& points, const std::string& colou
   const Vector2 b = tip - kHead * along - 0.36 * kHead * across;
   front_ += fmt::format(
       "set object polygon from {:.2f},{:.2f} to {:.2f},{:.2f} to {:.2f},{:.2f} to {:.2f},{:.2f} "
-      "front fc rgb '{}' fs solid 1 noborder\n",
+      "front fc rgb {} fs solid 1 noborder\n",
       tip.x(), tip.y(), a.x(), a.y(), b.x(), b.y(), tip.x(), tip.y(), colour);
 }
 

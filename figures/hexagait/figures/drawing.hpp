@@ -8,14 +8,16 @@
 
 namespace hexagait::figures {
 
-/// Colours of all figures, the palette of the gnuplot preamble.
-inline constexpr const char* kInk = "#1d2b36";
-inline constexpr const char* kGrey = "#8c99a5";
-inline constexpr const char* kPale = "#e3e8ec";
-inline constexpr const char* kAccent = "#c4472b";
+/// Colours of the palette, by their names in preamble.gp; any other one is as "'#ffffff'".
+inline constexpr const char* kInk = "ink";
+inline constexpr const char* kGrey = "grey";
+inline constexpr const char* kAccent = "accent";
+inline constexpr const char* kWhite = "'#ffffff'";
 
 /// Shade of a gait state's type A, B, C, D: the more legs have priority, the darker.
-[[nodiscard]] std::string type_shade(char type);
+[[nodiscard]] inline std::string type_shade(char type) {
+  return "type_shade(" + std::to_string(type - 'A' + 1) + ")";
+}
 
 /// Shapes and text on a white sheet, for figures that plot no data. Places in pixels of the PNG,
 /// y downwards. What comes later covers what came before; text is above all.

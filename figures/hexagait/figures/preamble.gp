@@ -23,10 +23,14 @@ set datafile separator comma
 set datafile columnheaders
 set datafile missing ""
 set macros
+# The value in the column of this name.
+c(name) = column(name)
 
 # Palette: one accent for what happened, grey for what was asked, two quiet colours for the sides.
 ink = "#1d2b36"; grey = "#8c99a5"; pale = "#e3e8ec"; accent = "#c4472b"; asked = "#c3ccd4"
 left_side = "#2f6f9f"; right_side = "#c99a2e"; earth = "#b9a88f"
+# Controllers: the tripod controller (0), the free gait (1), any other one.
+gait_colour(k) = k == 0 ? 0xc99a2e : k == 1 ? 0x2f6f9f : 0x8c99a5
 # Shades of a gait state's type, A (1) … D (4).
 type_shade(k) = k == 4 ? 0x5d7a8c : k == 3 ? 0x93a9b7 : k == 2 ? 0xbccad4 : k == 1 ? 0xdfe6eb : 0xffffff
 
@@ -52,7 +56,7 @@ panel(l, r, b, t) = sprintf("set lmargin at screen %g; set rmargin at screen %g;
 heading(letter, text) = \
     sprintf("set label 3 \"{/:Bold %s}   %s\" at graph 0, graph 1 offset 0, 0.9 left textcolor rgb ink", letter, text)
 # Above its right corner, the key in a row: `eval key_above(top)`.
-key_above(top) = sprintf("set key at graph 1, screen %g right top horizontal samplen 1.5 width 0 font small", y(top) + 25/page)
+key_above(top) = sprintf("set key at graph 1, screen %g right top horizontal samplen 1.5 width 0 font small", y(top) + 25.0/page)
 
 # A gait diagram's legend of types, from the share x of the panel on, every `step`.
 legend_of_types(x, step) = sprintf("legend_x = %g; legend_step = %g; ", x, step).' \
@@ -65,6 +69,7 @@ legend_of_types(x, step) = sprintf("legend_x = %g; legend_step = %g; ", x, step)
       textcolor rgb ink font sized("", 9)'
 
 set border 3 lc rgb grey lw 0.8
+set xtics nomirror; set ytics nomirror
 set tics nomirror scale 0.5 textcolor rgb ink
 set grid lc rgb pale lw 0.8 lt 1
 set title textcolor rgb ink

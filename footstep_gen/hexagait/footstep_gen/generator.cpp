@@ -12,20 +12,20 @@ namespace {
 
 using heading_control::PathArc;
 
-// Share of the workspace radius that a support leg may use before the base waits for it.
+// Fraction of its workspace radius that a support leg may use before the base waits for it.
 constexpr double kUsableShare = 0.98;
 
-// [PC04] 4 in closed form: the arc's zero of the restricted gradient; for height and tilt the plane
-// through the footprints (docs/theory.md says why not the printed gradients).
-BaseGoal pose_adaptation(const BaseAuto& command, const PoseAdaptationInput& in) {
+// [PC04] 4 in closed form: the zero of the gradient along the arc; for height and tilt, the plane
+// through the footprints (docs/theory.md 3 explains why not the printed gradients).
+BaseGoal pose_adaptation(const BaseAutoCommand& command, const PoseAdaptationInput& in) {
   const posture::PlaneFit plane =
       posture::plane_fit(in.footprint_BF, in.p_BC, LegSet::all(in.p_BC.size()));
   const double advance = posture::arc_optimum(in.p_BF, in.p_BC, in.support, command.path).advance;
   return {advance, plane.height, plane.roll, plane.pitch};
 }
 
-// Path until the foot, which goes backwards along the arc, leaves the disc about its centre [m].
-// The circle it runs on is taken as its tangent: short by less than 4 % of the stroke at r = 0.3 m.
+// Path until the foot, which moves backwards along the arc, leaves the disc about its centre [m].
+// The arc is replaced by its tangent: short by less than 4 % of the stroke at r = 0.3 m.
 double workspace_left(const Vector2& offset, const Vector2& direction, double radius) {
   const double speed2 = direction.squaredNorm();
   if (speed2 <= 0.0) return std::numeric_limits<double>::infinity();
@@ -35,7 +35,7 @@ double workspace_left(const Vector2& offset, const Vector2& direction, double ra
 }
 
 // Path until the centre of mass comes closer than `margin` to an edge of the support polygon [m].
-// Over the path left in a step the body turns little: it is taken to go straight.
+// The body turns little within a step, so its path is taken to be straight.
 double stability_left(const SupportPolygon& polygon, const Vector2& p_BM, const Vector2& direction,
                       double margin) {
   double left = std::numeric_limits<double>::infinity();
@@ -83,24 +83,25 @@ double path_to_come(const PathArc& arc, const Executor& executor, double half_st
   return std::max(0.0, posture::arc_optimum(p_BF, arc.p_BC, support, arc.per_metre).advance);
 }
 
-Footstep footstep(const RobotModel& model, const PathArc& arc, const RobotState& state, LegId leg,
-                  double half_step, double to_come, const StepParams& params) noexcept {
+FootstepCommand footstep(const RobotModel& model, const PathArc& arc, const RobotState& state,
+                         LegId leg, double half_step, double to_come,
+                         const StepParams& params) noexcept {
   const double reach = 0.5 * model.legs[leg].workspace_radius;
   const Vector3 aep_BF = aep(arc, leg, std::min(half_step, reach) + to_come);
   const double start_z = state.print_O[leg].z();
   double highest_z = start_z;
   for (const Vector3& print : state.print_O) highest_z = std::max(highest_z, print.z());
 
-  Footstep step{leg, state.X_OB * aep_BF, 0.0};
+  FootstepCommand step{leg, state.X_OB * aep_BF, 0.0};
   step.p_OT.z() = start_z;
   step.profile_height =
       std::min(params.max_height, params.height + params.roughness_gain * (highest_z - start_z));
   return step;
 }
 
-BaseAuto base_auto(const RobotModel& model, const PathArc& arc, const Executor& executor,
-                   const PlanarTwist& deviation, const StepParams& params) noexcept {
-  BaseAuto base;
+BaseAutoCommand base_auto(const RobotModel& model, const PathArc& arc, const Executor& executor,
+                          const PlanarTwist& deviation, const StepParams& params) noexcept {
+  BaseAutoCommand base;
   base.adaptation = pose_adaptation;
   base.path = arc.per_metre;
   base.correction = deviation;

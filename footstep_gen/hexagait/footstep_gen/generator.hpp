@@ -10,50 +10,55 @@
 namespace hexagait::footstep_gen {
 
 struct StepParams {
-  /// Path between two landings of one foot, at the outermost leg [m]. Longer is faster until the
-  /// workspaces end: half of it is the AEP's distance from the workspace centre.
+  /// Path of the body between two landings of one foot, at the farthest workspace centre [m]. Half
+  /// of it is the AEP's distance from the centre. Longer: faster, until the workspaces limit it.
   double stroke = 0.20;
-  /// Clearance of the swing [m]. Higher steps up more and walks slower.
+  /// Clearance of the swing [m]. Higher: climbs higher steps, walks more slowly.
   double height = 0.10;
-  /// Added for each metre by which another foot's last footprint is higher: who has just met a step
-  /// expects another [m/m]. 0: an edge higher than the clearance is found by running into it.
+  /// Clearance added per metre by which another foot's last footprint is higher [m/m]: after one
+  /// step in the ground, others are likely. 0: the foot collides with edges higher than the
+  /// clearance.
   double roughness_gain = 1.0;
-  double max_height = 0.22;  ///< of the swing, at most [m]
-  /// Share of its workspace radius at which a leg's lag is urgent: the latch then lets go of its
-  /// adjusted relations.
+  double max_height = 0.22;  ///< bound of the clearance [m]
+  /// Fraction of its workspace radius from which a leg's lag is urgent: the latch then drops the
+  /// leg's adjusted relations.
   double urgent_share = 0.8;
-  /// The base waits before its centre of mass comes closer than this to the edge of the support
-  /// polygon [m]. 0: crabbing at 45°, where the support triangle is narrow, tips the robot.
+  /// Least distance of the centre of mass from the edges of the support polygon: the base waits
+  /// before [m]. 0: crabbing at 45°, where the support triangle is narrow, tips the robot.
   double stability_margin = 0.03;
 };
 
-/// How long a step on flat ground takes, from the command to lift until the foot counts as support
-/// [s]: T of (gait 5) until a step has been seen. The phases of a swing, each in its own words; the
-/// rise to the height at which the foot may move sideways as 0.43 of the lift.
+/// Duration of a step on flat ground, from the command to lift until the foot counts as support
+/// [s]: T of (gait 5) before the first step has been measured. Sum of the phases of a swing, with
+/// 0.43 of lift_time for the rise to the height at which the foot moves sideways.
 [[nodiscard]] double nominal_step_time(const SwingParams& swing, const StepParams& step) noexcept;
 
-/// Lag, urgency and ground contact of each leg: what the gait state decides by.
+/// The input of the gait state: lag, urgency and support of each leg.
 [[nodiscard]] gait_state::GaitInput gait_input(const RobotModel& model,
                                                const heading_control::PathArc& arc,
                                                const Executor& executor,
                                                const StepParams& params) noexcept;
 
-/// Path that the base will have advanced when every foot that is in the air now has come down on
-/// its AEP [m]: the arc-restricted posture optimum ([PC04] 4) of that moment.
+/// Path by which the base will have advanced when all feet now in the air have landed on their AEPs
+/// [m]: the posture optimum along the path ([PC04] 4) at that time.
 [[nodiscard]] double path_to_come(const heading_control::PathArc& arc, const Executor& executor,
                                   double half_step) noexcept;
 
-/// The step of one leg: to its AEP ([PC04] eq. 3), taken along by the advance still to come, at the
+/// The step of one leg (step 1): to its AEP ([PC04] eq. 3) plus the advance still to come, at the
 /// height of its last footprint.
-[[nodiscard]] Footstep footstep(const RobotModel& model, const heading_control::PathArc& arc,
-                                const RobotState& state, LegId leg, double half_step,
-                                double to_come, const StepParams& params) noexcept;
+/// @param half_step  [m of path]
+/// @param to_come    advance of the base until the foot lands [m of path]
+[[nodiscard]] FootstepCommand footstep(const RobotModel& model, const heading_control::PathArc& arc,
+                                       const RobotState& state, LegId leg, double half_step,
+                                       double to_come, const StepParams& params) noexcept;
 
-/// The base: along the path as a reaction to the legs ([PC04] 4), parallel to the ground under the
-/// feet, back to the commanded curve, and not beyond any support leg's workspace nor the edge of
-/// the support polygon.
-[[nodiscard]] BaseAuto base_auto(const RobotModel& model, const heading_control::PathArc& arc,
-                                 const Executor& executor, const PlanarTwist& deviation,
-                                 const StepParams& params) noexcept;
+/// The motion of the base: along the path as the legs allow ([PC04] 4), parallel to the ground
+/// under the feet, and back to the commanded curve; limited by the workspaces of the support legs
+/// and by the edges of the support polygon.
+/// @param deviation  displacement back to the commanded curve [m, rad]
+[[nodiscard]] BaseAutoCommand base_auto(const RobotModel& model,
+                                        const heading_control::PathArc& arc,
+                                        const Executor& executor, const PlanarTwist& deviation,
+                                        const StepParams& params) noexcept;
 
 }  // namespace hexagait::footstep_gen

@@ -47,7 +47,7 @@ struct Stance {
     return path_arc(heading, heading_control::workspaces(robot));
   }
   void lift(std::initializer_list<LegId> legs) {
-    for (const LegId i : legs) executor.command(Footstep{i, state.p_OF[i]}, state);
+    for (const LegId i : legs) executor.command(FootstepCommand{i, state.p_OF[i]}, state);
   }
 };
 
@@ -103,7 +103,7 @@ TEST(FootstepOf, IsTheAnteriorExtremePositionTakenAlong) {
   for (const Heading& heading : {Heading::straight(0.5), Heading::arc(0.9, -0.4),
                                  Heading::spin(heading_control::Turn::cw)}) {
     const PathArc arc = stance.arc(heading);
-    const Footstep step = footstep(stance.robot, arc, stance.state, 1, 0.1, 0.03, {});
+    const FootstepCommand step = footstep(stance.robot, arc, stance.state, 1, 0.1, 0.03, {});
     const PlanarPose M = exponential(arc.per_metre, 0.13);
     const Vector3& c = stance.robot.legs[1].p_BC;
     const Vector2 aep = M * Vector2(c.head<2>());
@@ -113,7 +113,7 @@ TEST(FootstepOf, IsTheAnteriorExtremePositionTakenAlong) {
     EXPECT_EQ(step.p_OT.z(), 0.07);
   }
   const PathArc arc = stance.arc(Heading::straight(0.0));
-  const Footstep longest = footstep(stance.robot, arc, stance.state, 1, 9.0, 0.0, {});
+  const FootstepCommand longest = footstep(stance.robot, arc, stance.state, 1, 9.0, 0.0, {});
   const Vector3 centre = stance.state.X_OB * stance.robot.legs[1].p_BC;
   EXPECT_NEAR((longest.p_OT - centre).head<2>().norm(), 0.5 * stance.robot.legs[1].workspace_radius,
               1e-12);
@@ -140,7 +140,7 @@ TEST(FootstepOf, GoesHigherWhereAnotherFootStandsHigher) {
 TEST(FootstepOf, IsTheWorkspaceCentreWhenStopped) {
   Stance stance;
   const PathArc arc = stance.arc(Heading::straight(0.5).stopped());
-  const Footstep step = footstep(stance.robot, arc, stance.state, 2, 0.0, 0.0, {});
+  const FootstepCommand step = footstep(stance.robot, arc, stance.state, 2, 0.0, 0.0, {});
   EXPECT_LT((step.p_OT - stance.state.X_OB * stance.robot.legs[2].p_BC).head<2>().norm(), 1e-12);
 }
 
@@ -150,8 +150,8 @@ TEST(BaseCommand, KeepsSupportLegsWithinTheirWorkspaces) {
   for (const Vector3& offset :
        {Vector3(0.0, 0.0, 0.0), Vector3(-0.1, 0.05, 0.0), Vector3(0.12, -0.09, 0.0)}) {
     Stance stance = shifted(offset);
-    const BaseAuto base = base_auto(stance.robot, stance.arc(Heading::straight(0.0)),
-                                    stance.executor, {}, {.stability_margin = 0.0});
+    const BaseAutoCommand base = base_auto(stance.robot, stance.arc(Heading::straight(0.0)),
+                                           stance.executor, {}, {.stability_margin = 0.0});
     const double usable = 0.98 * stance.robot.legs[0].workspace_radius;
     const double chord = offset.x() + std::sqrt(usable * usable - offset.y() * offset.y());
     EXPECT_NEAR(base.max_advance, chord, 1e-12);
@@ -178,8 +178,8 @@ TEST(BaseCommand, KeepsTheCentreOfMassWithinTheFeet) {
 TEST(BaseCommand, KeepsItsMarginFromTheEdgeAhead) {
   Stance stance;
   const double x_front = stance.robot.legs[0].p_BC.x();
-  const BaseAuto base = base_auto(stance.robot, stance.arc(Heading::straight(0.0)), stance.executor,
-                                  {}, {.stability_margin = x_front - 0.1});
+  const BaseAutoCommand base = base_auto(stance.robot, stance.arc(Heading::straight(0.0)),
+                                         stance.executor, {}, {.stability_margin = x_front - 0.1});
   EXPECT_NEAR(base.max_advance, 0.1, 1e-9);
 }
 
@@ -187,8 +187,8 @@ TEST(BaseCommand, KeepsItsMarginFromTheEdgeAhead) {
 // (the footprints follow the body).
 TEST(BaseCommand, AsksForTheBodyToBeOverItsFeet) {
   Stance stance = shifted({0.06, 0.0, -0.02});
-  const BaseAuto base = base_auto(stance.robot, stance.arc(Heading::straight(0.0)), stance.executor,
-                                  {{0.01, 0.02}, 0.03}, {});
+  const BaseAutoCommand base = base_auto(stance.robot, stance.arc(Heading::straight(0.0)),
+                                         stance.executor, {{0.01, 0.02}, 0.03}, {});
   const BaseGoal goal = base.adaptation(base, stance.executor.pose_adaptation_input(stance.state));
   EXPECT_NEAR(goal.advance, 0.06, 1e-12);
   EXPECT_NEAR(goal.height, -0.02, 1e-12);

@@ -14,34 +14,34 @@ namespace hexagait::footstep_gen {
 using hexagait::Fault;
 using hexagait::to_string;
 
-/// Everything that one tick computed, by the stage that computed it and in the order of the stages.
-/// Log, replay, viewer and "why does leg 3 not step?" are all this struct.
+/// Everything that one tick computes, by stage and in the order of the stages: the format of logs
+/// and traces, and the answer to "why does leg 3 not step?".
 struct TickRecord {
-  // plant → sense
-  Measurement measurement;    ///< as the plant gave it
-  Fault fault = Fault::none;  ///< not none: the stages below were skipped
-  bool holding = false;       ///< the measurement is late: all stands still
+  // plant, odometry
+  Measurement measurement;    ///< of the plant
+  Fault fault = Fault::none;  ///< unless none, the stages below were skipped
+  bool holding = false;       ///< the measurement is late: the robot holds still
   RobotState state;           ///< joints, feet, odometry
 
   // heading_control
   heading_control::Heading heading = heading_control::Heading::stop();  ///< the command
-  heading_control::PathArc arc;  ///< the command, bound to this robot's workspaces
-  PlanarTwist deviation;         ///< from the base back to the commanded curve [m, rad]
+  heading_control::PathArc arc;  ///< the path of the command for this robot
+  PlanarTwist deviation;         ///< displacement back to the commanded curve [m, rad]
 
   // gait_state
   gait_state::GaitInput gait_input;
   gait_state::GaitDecision gait;
-  int rear_edge = 0;  ///< ring edge between the rear legs, for this heading
-  LegSet lifts;       ///< legs commanded to lift in this tick
-  LegSet waits;       ///< legs that may step and are held back: (gait 5), or the tripod's turn
-  LegSet rule1_violations;  ///< legs that lift with a neighbour that lifts or is not in support
+  int rear_edge = 0;        ///< ring edge between the rear legs of this heading
+  LegSet lifts;             ///< legs commanded to lift in this tick
+  LegSet waits;             ///< legs that may step but wait: (gait 5), or for their tripod's turn
+  LegSet rule1_violations;  ///< legs that lift while a neighbour lifts or is not in support
 
   // footstep_gen
-  double path_to_come = 0.0;     ///< advance still to come when all airborne feet stand [m of path]
-  LegArray<Footstep> footsteps;  ///< the last one of each leg
-  BaseAuto base_auto;
+  double path_to_come = 0.0;            ///< advance until all airborne feet have landed [m of path]
+  LegArray<FootstepCommand> footsteps;  ///< last command of each leg
+  BaseAutoCommand base_auto;
 
-  // core
+  // executor
   BaseGoal base_goal;
   BaseLane base;
   LegArray<LegLane> legs;

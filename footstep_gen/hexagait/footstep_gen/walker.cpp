@@ -19,18 +19,18 @@ const TickRecord& Walker::tick(PlantStatus status, const Measurement& measuremen
                                const heading_control::Heading& heading) noexcept {
   record_.lifts = record_.waits = record_.rule1_violations = LegSet();
   if (!healthy(status, measurement)) return record_;
-  estimate();      // what the joints and contacts say: feet, odometry
-  steer(heading);  // (r, α) → arc, and how far off the commanded curve we are
-  decide();        // gait state: who may step; stepper: who does
-  command();       // Footstep and BaseAuto
-  execute();       // Free Gait core: set points, joint targets
+  estimate();      // joints and contacts → feet, odometry
+  steer(heading);  // heading → path of this robot, deviation from it
+  decide();        // gait state: which legs may step; stepper: which do
+  command();       // footsteps and motion of the base
+  execute();       // executor: set points, joint targets
   ++ticks_;
   return record_;
 }
 
 void Walker::start(const Measurement& measurement) {
   StateEstimator estimator(*model_, params_.sensors);
-  const RobotState state = estimator.start(measurement);  // may throw: before anything changes
+  const RobotState state = estimator.start(measurement);  // may throw, so before anything changes
   *this = Walker(*model_, params_);
   estimator_ = estimator;
   record_.measurement = measurement;
@@ -38,7 +38,7 @@ void Walker::start(const Measurement& measurement) {
   executor_.reset(state);
   record_.targets = executor_.targets();
   record_.legs = executor_.legs();
-  record_.footsteps = LegArray<Footstep>(model_->num_legs());
+  record_.footsteps = LegArray<FootstepCommand>(model_->num_legs());
   tracker_.reset({0.0, Vector2::Zero()});
   record_.heading = heading_control::Heading::stop();
   record_.arc = path_arc(record_.heading, workspaces_);
@@ -102,8 +102,8 @@ void Walker::command() noexcept {
   executor_.command(record_.base_auto);
 }
 
-// The legs of a wave land one after the other. When this one does, the base will have made as much
-// of its way as this leg's time left is of that of the leg that lands last.
+// The legs of a wave land one after the other. The fraction of the advance still to come that the
+// base will have made when this leg lands: its remaining time over that of the leg that lands last.
 double Walker::share_to_come(LegId leg) const noexcept {
   if (params_.stepper.stepping != gait_state::Stepping::wave) return 1.0;
   const gait_state::Stepper& stepper = memory_.stepper;

@@ -15,36 +15,37 @@ struct WalkerParams {
   double control_dt = 0.002;  ///< control period [s]
   SensorMask sensors;
   gait_state::GaitParams gait;
-  gait_state::StepperParams stepper;  ///< free, wave or tripod: the gait to begin with
+  gait_state::StepperParams stepper;  ///< initial gait: free, wave or tripod
   StepParams step;
   ExecutorParams executor;
-  double late_limit = 0.1;  ///< without a measurement for longer, the walker stops for good [s]
+  double late_limit = 0.1;  ///< longest time without a measurement before it stops [s]
 };
 
-/// The controller: what the robot senses and a heading go in, joint targets come out, once per
+/// The walking controller: takes a measurement and a heading and returns joint targets, once per
 /// control period. A value; tick() neither throws nor allocates.
 ///
 /// The robot model must outlive the walker.
 class Walker {
  public:
   explicit Walker(const RobotModel& model, const WalkerParams& params = {});
+  explicit Walker(const RobotModel&&, const WalkerParams& = {}) = delete;
 
-  /// Stands where the robot stands: all feet are taken to be on the ground.
+  /// Takes the robot over in its present stance: all feet are assumed to be on the ground.
   /// @throws InvalidInput  if a joint position is missing or not finite
   void start(const Measurement& measurement);
 
   /// One control period.
-  /// @param status  late: the measurement is ignored and the robot holds, after late_limit it stops
+  /// @param status  late: the measurement is ignored and the robot holds; after late_limit it stops
   const TickRecord& tick(PlantStatus status, const Measurement& measurement,
                          const heading_control::Heading& heading) noexcept;
 
-  /// From the next tick on, who of those that may step does: the free gait, a wave gait of a duty
-  /// factor, the waiting tripod. May be turned while walking, at any time; start() keeps it.
+  /// Changes the gait from the next tick on: free, wave with a duty factor, or tripod. May be
+  /// called at any time while walking; start() keeps it.
   void set_stepping(const gait_state::StepperParams& stepping) noexcept {
     params_.stepper = stepping;
   }
 
-  /// Stops at once and for good: velocities zero, set points kept, until start().
+  /// Stops at once until the next start(): velocities are set to 0, set points kept.
   void emergency_stop() noexcept { stop(Fault::emergency_stop); }
 
   [[nodiscard]] const TickRecord& record() const { return record_; }
@@ -72,7 +73,7 @@ class Walker {
   heading_control::PathTracker tracker_;
   gait_state::GaitMemory memory_;
   Executor executor_;
-  long ticks_ = 0;  ///< that were walked: a late period makes no step longer
+  long ticks_ = 0;  ///< number of ticks; late periods do not count
   TickRecord record_;
 };
 

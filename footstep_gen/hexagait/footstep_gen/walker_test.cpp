@@ -12,6 +12,10 @@
 namespace hexagait::footstep_gen {
 namespace {
 
+// A walker keeps a pointer to the model: made from a temporary one, it would dangle.
+static_assert(!std::is_constructible_v<Walker, RobotModel>);
+static_assert(!std::is_constructible_v<Walker, const RobotModel, WalkerParams>);
+
 using heading_control::Heading;
 using heading_control::Turn;
 

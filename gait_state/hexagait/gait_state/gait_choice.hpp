@@ -7,20 +7,21 @@
 
 namespace hexagait::gait_state {
 
-/// Which gait generator walks: the latch's part of the choice and the stepper's.
+/// The choice of a gait: its parameters of latch and stepper.
 struct GaitChoice {
   Adjustment adjustment = Adjustment::latched;
   StepperParams stepper = {};
 };
 
-/// The spellings that parse_gait_choice() takes, for messages and `--help`.
+/// The gaits that parse_gait_choice() accepts, for messages and `--help`.
 inline constexpr const char* kGaitChoices = "free, unadjusted, literal, tripod or wave:BETA";
 
-/// "free", "unadjusted" (no CCN adjustment), "literal" ([PC04] to the letter), "tripod" (waiting
-/// for all legs), or "wave:0.75" with a duty factor of at least 1/2 and less than 1. Nothing else.
+/// Reads "free", "unadjusted" (no CCN adjustment), "literal" (the adjustment of [PC04] taken
+/// literally), "tripod" (waits for all legs) or "wave:BETA" with a duty factor 1/2 ≤ BETA < 1.
+/// @returns nothing for any other text
 [[nodiscard]] std::optional<GaitChoice> parse_gait_choice(std::string_view text);
 
-/// Inverse of parse_gait_choice. Allocates.
+/// Inverse of parse_gait_choice(). Allocates.
 [[nodiscard]] std::string to_string(const GaitChoice& choice);
 
 }  // namespace hexagait::gait_state

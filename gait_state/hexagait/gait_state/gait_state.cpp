@@ -15,12 +15,12 @@ RingBits chosen(RingBits candidates, RingBits preferred) noexcept {
   return best & (~best + 1U);
 }
 
-/// Middles of `> > <`, in each of which the later leg gains.
+/// Middle relations of `> > <`: raising one favours its later leg.
 RingBits raisable(const GaitState& state) noexcept {
   return ~from_before(state.bits, state.n) & ~state.bits & from_after(state.bits, state.n);
 }
 
-/// Middles of `> < <`, in each of which the earlier leg gains.
+/// Middle relations of `> < <`: lowering one favours its earlier leg.
 RingBits lowerable(const GaitState& state) noexcept {
   return ~from_before(state.bits, state.n) & state.bits & from_after(state.bits, state.n);
 }
@@ -55,7 +55,7 @@ GaitType type_of(const GaitState& state) noexcept {
 }
 
 GaitState adjusted(GaitState state, int ccn) noexcept {
-  // Each round moves the CCN by one; without a candidate (cyclic, or out of reach) nothing moves.
+  // Each round changes the CCN by one; without a candidate, nothing changes.
   for (int excess = state.ccn() - ccn; excess < 0; ++excess) {
     state.bits |= chosen(raisable(state), kOddPositions);
   }

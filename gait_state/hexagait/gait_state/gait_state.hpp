@@ -10,16 +10,16 @@
 
 namespace hexagait::gait_state {
 
-/// The gait state: who steps first, for each pair of neighbours ([PC04] 3.2).
+/// The gait state: which of each two neighbours steps first ([PC04] 3.2).
 ///
-/// `a < b` says that b has the higher priority: it steps before a. The state is the row of the n
+/// `a < b` means that b has the higher priority: it steps before a. The state consists of the n
 /// relations along the ring (gait 1), the last one between position n − 1 and position 0:
 ///
 ///     < > < > < >   is   0 < 1 > 3 < 5 > 4 < 2 > 0     (1 < 2 > 4 < 6 > 5 < 3 > 1 in [PC04])
 ///
-/// A leg may step only inside `< a >`. A state of n equal relations is cyclic: it orders nobody,
-/// and nobody ever steps. A default-constructed state (n = 0) is "not computed": it counts as
-/// cyclic, has no text, and no other function takes it.
+/// A leg may step only inside `< a >`. A state of n equal relations is cyclic: no leg has priority,
+/// and none ever steps. A default-constructed state (n = 0) means "not computed": it counts as
+/// cyclic, its text is empty, and it is not a valid argument of the other functions.
 struct GaitState {
   RingBits bits = 0;  ///< bit k set: the relation between ring positions k and k + 1 is `<`
   int n = 0;          ///< legs
@@ -32,16 +32,16 @@ struct GaitState {
   friend constexpr bool operator==(const GaitState&, const GaitState&) = default;
 };
 
-/// Legs inside `< a >`: those that step before both of their neighbours. Never two neighbours.
-/// Empty if and only if the state is cyclic.
+/// Legs inside `< a >`, which step before both of their neighbours. Never two neighbours; empty if
+/// and only if the state is cyclic.
 [[nodiscard]] LegSet priority_legs(const GaitState& state) noexcept;
 
 /// Legs that may start a step now: priority legs on the ground with both neighbours on the ground.
-/// Lifting all of them at once keeps rule 1.
+/// Lifting all of them at once does not break rule 1.
 [[nodiscard]] LegSet may_step(const GaitState& state, LegSet airborne) noexcept;
 
 /// The types of [PC04] 3.2, for six legs. A: one leg has priority; B: two that share a neighbour;
-/// C: two that don't; D: three. For other rings priority_legs(state).size() says what can be said.
+/// C: two that do not; D: three. For other rings, see priority_legs(state).size().
 enum class GaitType {
   none,  ///< cyclic, or not six legs
   A,
@@ -58,28 +58,27 @@ enum class GaitType {
 ///     CCN too large:  replace a `> < <` by `> > <`        until it is right               (gait 2)
 ///
 /// It always ends: below n/2 the `>` outnumber the `<`, so some run of `>` is at least 2 long and
-/// ends in `> > <`; mirrored above n/2. Neither rule moves a `< >` pair, so whoever was to step
-/// first still is.
+/// ends in `> > <`; likewise, mirrored, above n/2. Neither rule changes a `< >` pair, so the
+/// priority legs stay the same.
 ///
-/// The paper leaves open which one, if there is a choice. Either rule lets a leg that waits for
-/// both of its neighbours (`> a <`) pass one of them. We take a leg of the first tripod if there is
-/// one, as for ties, and of several the relation at the lowest ring position. Six legs have a
-/// choice only in type C, between one leg of each tripod, so there the position never decides.
+/// The paper leaves open which of several places to replace. Either rule lets a leg that waits for
+/// both of its neighbours (`> a <`) pass one of them. We choose a leg of the first tripod if there
+/// is one, as for ties, and among several the lowest ring position. Six legs have a choice only in
+/// type C, between one leg of each tripod, so there the position never decides.
 ///
-/// @param state  not cyclic: no rule applies to a cyclic one, which is returned as it is
-/// @param ccn  wanted, normally n/2; between the number of priority legs p and n − p, the least and
-///   the greatest CCN with p pairs `< >`
+/// @param state  a cyclic state, to which no rule applies, is returned unchanged
+/// @param ccn    desired, normally n/2; in [p, n − p] with p priority legs
 [[nodiscard]] GaitState adjusted(GaitState state, int ccn) noexcept;
 
-/// The state when `leg` has stepped and no other priority has changed: `< a >` becomes `> a <`, and
-/// the CCN stays ([PC04] 3.2, eq. 2).
+/// The state after `leg` has stepped: `< a >` becomes `> a <`, and the CCN stays ([PC04] 3.2, eq.
+/// 2).
 /// @param leg  one of priority_legs(state)
 [[nodiscard]] GaitState after_step(GaitState state, LegId leg) noexcept;
 
-/// "<><><>". Allocates: for logs and tests, not inside a tick.
+/// For example "<><><>". Allocates: not for use in a tick.
 [[nodiscard]] std::string to_string(const GaitState& state);
 
-/// Inverse of to_string; nothing unless `text` is 4, 6, 8, 10 or 12 times `<` or `>`.
+/// Inverse of to_string(); nothing unless `text` consists of 4, 6, 8, 10 or 12 `<` or `>`.
 [[nodiscard]] std::optional<GaitState> parse_gait_state(std::string_view text) noexcept;
 
 }  // namespace hexagait::gait_state

@@ -5,7 +5,8 @@
 namespace hexagait::gait_state {
 namespace {
 
-/// What the raw relations follow from. Edge k joins leg a at position k with leg b at the next one.
+/// The inputs of the raw relations, one bit per edge. Edge k joins leg a at ring position k with
+/// leg b at the next one.
 struct EdgeFacts {
   int n = 0;
   RingBits a_lags = 0;  ///< δ_a − δ_b > ε
@@ -37,7 +38,7 @@ RingBits select(RingBits from_a, RingBits a, RingBits b) noexcept {
 }
 
 GaitState fresh_relations(const EdgeFacts& facts) noexcept {
-  // Where b is of the first tripod it also wins ties.
+  // Where b belongs to the first tripod, it wins ties.
   const RingBits by_lag = select(kOddPositions, ~facts.a_lags, facts.b_lags);
   const RingBits one_airborne = facts.a_airborne ^ facts.b_airborne;
   return {select(one_airborne, facts.b_airborne, by_lag) & ring_mask(facts.n), facts.n};
@@ -46,7 +47,7 @@ GaitState fresh_relations(const EdgeFacts& facts) noexcept {
 /// The raw relations (gait 3) with hysteresis.
 GaitState raw_relations(const EdgeFacts& facts, const GaitLatch& before,
                         const GaitState& fresh) noexcept {
-  // An edge has something to hold on to if both its legs stood at the last update too.
+  // Hysteresis applies to edges whose legs both stood at the last update too.
   const RingBits was_airborne = ring_bits(before.airborne, facts.n);
   const RingBits settled =
       facts.both_on_ground() & ~was_airborne & ~from_after(was_airborne, facts.n);
@@ -75,7 +76,7 @@ GaitDecision GaitLatch::update(const GaitInput& input, const GaitParams& params)
   const GaitState fresh = fresh_relations(facts);
   if (raw.n != facts.n) *this = {fresh, fresh, input.airborne};
 
-  // Only the latch remembers more than raw relations.
+  // Without the latch, only the raw relations are remembered.
   const bool is_latched = params.adjustment == Adjustment::latched;
   const GaitState raw_now = raw_relations(facts, *this, fresh);
   const Combined combined = combine({.stored = is_latched ? stored : raw,

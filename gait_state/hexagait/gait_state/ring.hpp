@@ -13,11 +13,11 @@
 ///     position   0  1  2  3 …  n/2   n/2+1 …  n−2  n−1
 ///     leg        0  1  3  5 …  n−1    n−2  …   4    2                                (gait 1)
 ///
-/// Down the right side from the front, up the left one. Six legs stand in the order 0 1 3 5 4 2, in
-/// the paper's numbers 1 2 4 6 5 3. Every n here is even, 4 to 12.
+/// Down the right side from the front, up the left one. Six legs are in the order 0 1 3 5 4 2, in
+/// the paper's numbers 1 2 4 6 5 3. n is even, 4 to 12.
 namespace hexagait::gait_state {
 
-/// One bit per ring position k: of the leg that stands there, or of the edge from it to the next.
+/// One bit per ring position k: for the leg at that position, or for the edge from it to the next.
 using RingBits = std::uint32_t;
 
 [[nodiscard]] constexpr bool is_ring_size(int n) noexcept {
@@ -31,7 +31,7 @@ using RingBits = std::uint32_t;
   return 2 * position <= n ? 2 * position - 1 : 2 * (n - position);
 }
 
-/// Inverse of leg_at.
+/// Inverse of leg_at().
 [[nodiscard]] constexpr int position_of(LegId leg, int n) noexcept {
   assert(is_ring_size(n) && 0 <= leg && leg < n);
   if (leg % 2 == 1) return (leg + 1) / 2;
@@ -41,19 +41,19 @@ using RingBits = std::uint32_t;
 /// All positions, or all edges, of the ring.
 [[nodiscard]] constexpr RingBits ring_mask(int n) noexcept { return (1U << n) - 1U; }
 
-/// Bit k of the result is bit k − 1: what holds of the one before, counter-clockwise.
+/// Bit k of the result is bit k − 1: that of the previous position, counter-clockwise.
 [[nodiscard]] constexpr RingBits from_before(RingBits bits, int n) noexcept {
   return ((bits << 1) | (bits >> (n - 1))) & ring_mask(n);
 }
 
-/// Bit k of the result is bit k + 1: what holds of the one after, clockwise.
+/// Bit k of the result is bit k + 1: that of the next position, clockwise.
 [[nodiscard]] constexpr RingBits from_after(RingBits bits, int n) noexcept {
   return ((bits >> 1) | (bits << (n - 1))) & ring_mask(n);
 }
 
 namespace detail {
 
-/// Six legs at a time: where each set of them stands on the ring, and back.
+/// Lookup tables from sets of legs to ring positions and back, six legs at a time.
 struct RingTable {
   std::array<std::array<std::uint16_t, 64>, 2> to_ring{}, to_legs{};
 
@@ -86,7 +86,7 @@ inline constexpr std::array kRingTables = {RingTable(4), RingTable(6), RingTable
          RingBits{table.to_ring[1][legs.bits() >> 6 & 63U]};
 }
 
-/// Inverse of ring_bits.
+/// Inverse of ring_bits().
 [[nodiscard]] constexpr LegSet legs_at(RingBits bits, int n) noexcept {
   const detail::RingTable& table = detail::ring_table(n);
   return LegSet(RingBits{table.to_legs[0][bits & 63U]} |
@@ -104,7 +104,7 @@ struct Neighbours {
   return {leg_at(k == 0 ? n - 1 : k - 1, n), leg_at(k == n - 1 ? 0 : k + 1, n)};
 }
 
-/// Every leg that has a neighbour in `legs`; members of `legs` themselves only if that is so.
+/// All legs with a neighbour in `legs`.
 [[nodiscard]] constexpr LegSet neighbours_of(LegSet legs, int n) noexcept {
   const RingBits ring = ring_bits(legs, n);
   return legs_at(from_before(ring, n) | from_after(ring, n), n);
@@ -126,13 +126,13 @@ inline constexpr RingBits kEvenPositions = 0x555U;
 /// Positions 1, 3, 5, …; as edges, those whose later leg belongs to the first tripod.
 inline constexpr RingBits kOddPositions = 0xAAAU;
 
-/// Every other leg of the ring, beginning with leg 0: for six legs 0 3 4 (1, 4, 5 in [PC04]), who
+/// Every other leg of the ring, starting with leg 0: of six legs 0 3 4 (1, 4, 5 in [PC04]). These
 /// win ties. Of two neighbours exactly one belongs to it.
 [[nodiscard]] constexpr LegSet first_tripod(int n) noexcept {
   return legs_at(kEvenPositions & ring_mask(n), n);
 }
 
-/// The others: for six legs 1 2 5 (2, 3, 6 in [PC04]).
+/// The other legs: of six, 1 2 5 (2, 3, 6 in [PC04]).
 [[nodiscard]] constexpr LegSet second_tripod(int n) noexcept {
   return legs_at(kOddPositions & ring_mask(n), n);
 }

@@ -7,7 +7,7 @@
 namespace hexagait::gait_state {
 namespace {
 
-// Sums of step times are off by rounding: this much of a period is no reason to wait on.
+// Tolerance for the rounding of summed step times, as a fraction of the period.
 constexpr double kRounding = 1e-9;
 
 bool waits(const Stepper& stepper, LegId rear, LegId other_rear, double time, double period) {

@@ -6,7 +6,7 @@
 namespace hexagait::gait_state {
 namespace {
 
-// One tripod within the tolerance, and which.
+// Which tripod a group of lifts is, if it is one within the tolerance.
 std::optional<LegSet> tripod_of(const TimedLift* first, int num_legs, double tolerance) {
   const int half = num_legs / 2;
   LegSet legs;

@@ -8,15 +8,15 @@
 
 namespace hexagait::gait_state {
 
-/// A leg was commanded to lift.
+/// The command to lift a leg.
 struct TimedLift {
   LegId leg = 0;
   double time = 0.0;  ///< [s]
 };
 
-/// Leg lifts before the tripod gait: the number of lifts before the first of four consecutive
-/// groups of n/2 lifts that are alternately the one and the other tripod, each lifted within 20 %
-/// of a step time. None if that never happens.
+/// Number of lifts before the tripod gait: before the first of four consecutive groups of n/2 lifts
+/// that are alternately the first and the second tripod, each lifted within 20 % of a step time.
+/// Nothing if there are no such groups.
 [[nodiscard]] std::optional<int> first_tripod_gait(const std::vector<TimedLift>& lifts,
                                                    int num_legs, double step_time);
 

@@ -6,26 +6,26 @@
 
 namespace hexagait::heading_control {
 
-/// Sense of a turn, seen from above: ccw is to the left.
+/// Sense of rotation, seen from above: ccw turns left.
 enum class Turn { ccw, cw };
 
-/// Where the robot is asked to go: along a straight line, along an arc of circle, or round its own
-/// centre. The body turns about the turning centre ([PC04] 4)
+/// A commanded path: a straight line, a circular arc, or a turn on the spot. The body turns about
+/// the turning centre ([PC04] 4)
 ///
 ///     o = r (−sin α, cos α)
 ///
 /// α is the crab angle, the direction in which the body's origin sets off (0 ahead, π backwards),
-/// and r the signed radius: r > 0 turns left, r < 0 right. r has two awkward values: ±∞ are the
-/// same straight line, and 0 doesn't say which way to turn. So a heading is stored homogeneously,
+/// and r the signed radius: r > 0 turns left, r < 0 right. r is singular twice: ±∞ are the same
+/// straight line, and 0 does not say which way to turn. So a heading is stored homogeneously,
 ///
 ///     r = ρ / k,    ρ ≥ 0,    ρ² + k² = 1    (lengths in units of 1 m)
 ///
-/// in which nothing is singular: k = 0 is straight, (ρ, k) = (0, 1) the spin to the left, (0, −1)
-/// the spin to the right, and everything computed from (ρ, k, α) is continuous through all of them.
-/// The body turns by k while its origin moves by ρ (cos α, sin α); PathArc gives it a scale.
+/// which is never singular: k = 0 is straight, (ρ, k) = (0, 1) a spin to the left, (0, −1) a spin
+/// to the right, and everything computed from (ρ, k, α) is continuous across all of them. The body
+/// turns by k while its origin moves by ρ (cos α, sin α); PathArc gives it a scale.
 ///
-/// A stopped heading keeps its line: legs are still ordered by their lag along it, and setting off
-/// again in the same direction reorders nothing.
+/// A stopped heading keeps its path: legs are still ordered by their lag along it, and starting
+/// again in the same direction does not reorder them.
 class Heading {
  public:
   /// Straight on along α [rad].
@@ -33,20 +33,20 @@ class Heading {
   [[nodiscard]] static Heading straight(double alpha);
 
   /// Along the circle of signed radius r [m] with crab angle α [rad]; r = ±∞ is straight(α).
-  /// @throws std::invalid_argument  if r is 0 (a spin must say which way) or NaN, or α not finite
+  /// @throws std::invalid_argument  if r is 0 (use spin()) or NaN, or α is not finite
   [[nodiscard]] static Heading arc(double r, double alpha);
 
   /// On the spot, about the body's origin.
   [[nodiscard]] static Heading spin(Turn turn) noexcept;
 
-  /// Along the line on which the body's origin moves by v [m] while the body turns by w [rad]; only
-  /// the ratios matter. Zero or not finite: stop().
+  /// The path on which the body's origin moves by v [m] while the body turns by w [rad]; only their
+  /// ratios matter. If all are 0 or one is not finite: stop().
   [[nodiscard]] static Heading along(const Vector2& v, double w) noexcept;
 
-  /// Stands still, facing straight ahead.
+  /// Stopped, straight ahead.
   [[nodiscard]] static Heading stop() noexcept { return Heading(1.0, 0.0, 0.0).stopped(); }
 
-  /// The same line, not followed.
+  /// The same path, stopped.
   [[nodiscard]] Heading stopped() const noexcept;
 
   [[nodiscard]] bool moving() const noexcept { return moving_; }

@@ -9,36 +9,36 @@
 
 namespace hexagait::heading_control {
 
-/// Where the legs work: what a heading needs to know of the robot. At least two centres differ.
+/// The workspaces of a robot's legs. At least two centres differ.
 struct Workspaces {
   LegArray<Vector3> p_BC;   ///< workspace centres in the body frame [m]
-  LegArray<double> radius;  ///< horizontal discs about them [m]
+  LegArray<double> radius;  ///< of the horizontal discs about them [m]
 };
 
 [[nodiscard]] Workspaces workspaces(const RobotModel& robot) noexcept;
 
-/// A heading bound to a robot: the line it follows, with a measure of length along it.
+/// The path of a heading for a given robot, with a measure of length along it.
 ///
-/// A step given as an angle is useless on a straight line, and one given at the body's centre is
-/// useless on the spot. Path length s is therefore the arc length travelled by the workspace centre
-/// farthest from the turning centre o: no workspace centre ever moves by more than s, and straight
-/// lines, arcs and spins are one formula. With Heading's ρ, k, α and u = (−sin α, cos α):
+/// The angle about the turning centre o is 0 on a straight line, and the path of the body's centre
+/// is 0 in a turn on the spot. Path length s is therefore the arc length travelled by the workspace
+/// centre farthest from o: no workspace centre moves by more than s, and straight lines, arcs and
+/// spins have one formula. With Heading's ρ, k, α and u = (−sin α, cos α):
 ///
 ///     m = maxᵢ |k cᵢ − ρ u|             (= |k| · farthest |cᵢ − o|; 1 when straight)
 ///     w = k / m,   v = ρ (cos α, sin α) / m          twist of the body per metre of path
 ///     M(s) = exp(s (v, w)) = Rz(α) Ty(r) Rz(γ) Ty(−r) Rz(−α),   γ = w s       [PC04] (4)
 ///
-/// Deviation: [PC04] counts by γ, which is singular on a straight line.
+/// Deviation: [PC04] uses γ, which is singular on a straight line.
 struct PathArc {
   Heading heading = Heading::stop();
   LegArray<Vector3> p_BC;       ///< workspace centres in the body frame [m]
-  PlanarTwist per_metre;        ///< of the body, in the body frame [m/m], [rad/m]
+  PlanarTwist per_metre;        ///< twist of the body, in the body frame [m/m], [rad/m]
   LegArray<Vector2> direction;  ///< tᵢ: unit vector along the motion at cᵢ; 0 where cᵢ = o
   LegArray<double> lag_scale;   ///< metres of path per metre of tangential offset at cᵢ
-  LegId farthest = 0;           ///< the leg at whose centre path is measured
+  LegId farthest = 0;           ///< the leg at whose centre path length is measured
 };
 
-/// The line of `heading` for a robot with these workspaces. A stopped heading has a line too.
+/// The path of `heading` for a robot with these workspaces. A stopped heading has a path too.
 [[nodiscard]] PathArc path_arc(const Heading& heading, const Workspaces& workspaces) noexcept;
 
 /// M(s), the displacement of the body along the arc by s [m], in the body frame. As the body
@@ -58,15 +58,15 @@ struct PathArc {
 ///
 /// so that on landing at AEP and lifting one step later, the foot passes the centre half-way.
 /// @param half_step  s [m of path]; at the farthest centre the step is 2 s long
-/// @returns [m], body frame; z is that of the centre, for reference only. The centre if stopped.
+/// @returns position in the body frame [m], with z of the centre; the centre itself if stopped
 [[nodiscard]] Vector3 aep(const PathArc& arc, LegId leg, double half_step) noexcept;
 
 /// How far leg i's foot lags behind its workspace centre, in metres of path:
 ///
 ///     δᵢ = tᵢ · (cᵢ − pᵢ) · R / max(|cᵢ − o|, ρᵢ)
 ///
-/// R = |c − o| of the farthest centre, ρᵢ the radius of the leg's workspace. δ > 0: the foot lags.
-/// Straight on, the factor is 1 and δ the plain distance along the line.
+/// with R = |c − o| of the farthest centre and ρᵢ the radius of the leg's workspace. δ > 0: the
+/// foot lags. On a straight line the last factor is 1 and δ is the distance along the line.
 ///
 /// Deviation: [PC04] 3.3 takes the angle ∠(pᵢ − o, cᵢ − o), which is the same to first order but
 /// unbounded when o lies inside a leg's workspace, where a centimetre would read as metres of lag
@@ -75,8 +75,8 @@ struct PathArc {
 ///     |δᵢ| ≤ ρᵢ + L,    L the distance from cᵢ to the farthest centre,
 ///
 /// because R ≤ |cᵢ − o| + L and |cᵢ − pᵢ| ≤ ρᵢ ≤ max(|cᵢ − o|, ρᵢ). Where o crosses cᵢ itself, tᵢ
-/// and δᵢ reverse: what was forwards there is backwards. (The paper words the sign both ways; a leg
-/// that lags more is nearer to the end of its reach and must step first.)
+/// and δᵢ reverse, since forwards becomes backwards there. (The paper gives the sign both ways; a
+/// leg that lags more is nearer to the end of its reach and must step first.)
 ///
 /// @param p_BF  foot in the body frame [m]; z is not read
 /// @returns [m of path]; 0 where cᵢ = o

@@ -5,8 +5,8 @@
 namespace hexagait::heading_control {
 namespace {
 
-// L² of the metric: how much a radian of heading counts against a metre [m²]. About the square of
-// the distance from the base to its feet, so that a radian is what the feet see of it.
+// L² of the metric [m²]: about the square of the distance from the base to its feet, so that an
+// angle counts as much as the motion of the feet that it causes.
 constexpr double kTurnWeight = 0.25;
 
 double product(const PlanarTwist& a, const PlanarTwist& b) {
@@ -27,8 +27,7 @@ void PathTracker::follow(const PlanarTwist& per_metre) {
 }
 
 PlanarTwist PathTracker::update(const PlanarPose& X_OB) noexcept {
-  // One Newton step along the curve: exact to second order, and the base moves by less than a
-  // millimetre from one update to the next.
+  // One Newton step along the curve is enough: the base moves by less than a millimetre per update.
   PlanarPose ahead = ideal_.inverse() * X_OB;
   ahead.angle = wrap_angle(ahead.angle);
   const double norm = product(per_metre_, per_metre_);

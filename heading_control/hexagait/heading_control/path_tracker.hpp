@@ -6,31 +6,31 @@
 
 namespace hexagait::heading_control {
 
-/// Where the base should be on the commanded curve, and how far off it is.
+/// The ideal pose of the base on the commanded curve, and the deviation from it.
 ///
-/// A heading command (r, α) held for a while asks for a curve: from the pose at which it was given,
+/// A heading (r, α) that is held defines a curve from the pose at which it was given,
 ///
-///     X(s) = X_anchor · exp(V s)            V: unit motion per metre of path           (tracker 1)
+///     X(s) = X_anchor · exp(V s)            V: twist per metre of path                 (tracker 1)
 ///
-/// an arc, a straight line or a turn in place. The ideal pose is the point of the curve nearest to
-/// the base in the metric |shift|² + L² angle². The next command's curve starts at the ideal end of
-/// this one, so that errors are not forgiven by steering.
-/// [PC04] leaves this out: its simulated feet don't slip. A value.
+/// an arc, a straight line or a turn on the spot. The ideal pose is the point of the curve nearest
+/// to the base in the metric |shift|² + L² angle². The curve of the next command starts at the
+/// ideal pose of this one, so that steering does not hide errors. [PC04] has no such correction:
+/// its simulated feet do not slip. A value.
 class PathTracker {
  public:
-  /// Starts at a pose in odom, with no path: every later deviation is from there.
+  /// Starts at a pose in odom, without a path: the ideal pose stays there.
   void reset(const PlanarPose& X_OB);
 
-  /// A new curve from the ideal pose of now.
+  /// Starts a new curve at the present ideal pose.
   void follow(const PlanarTwist& per_metre);
 
   /// Advances the ideal pose to the point nearest to the base.
-  /// @returns the base's deviation, as the twist from the base to the ideal pose, in the body frame
-  ///          [m, rad]: what is to be corrected
+  /// @returns the correction: the displacement from the base to the ideal pose, as a twist in the
+  ///          body frame [m, rad]
   PlanarTwist update(const PlanarPose& X_OB) noexcept;
 
   [[nodiscard]] PlanarPose ideal() const { return ideal_; }
-  /// Path length along the present curve [m].
+  /// Path length of the ideal pose along the present curve [m].
   [[nodiscard]] double progress() const { return s_; }
 
  private:

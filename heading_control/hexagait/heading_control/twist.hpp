@@ -7,8 +7,8 @@
 
 namespace hexagait::heading_control {
 
-/// What a velocity command asks for: the line, and how fast at most. The gait itself decides the
-/// speed (the body follows the legs), so a wanted velocity can only be an upper limit.
+/// A velocity command as path and speed limit. The gait decides the speed (the body follows the
+/// legs), so a commanded velocity can only be an upper limit.
 struct HeadingCommand {
   Heading heading = Heading::stop();
   double speed_limit = 0.0;  ///< [m/s of path], at the farthest workspace centre
@@ -18,9 +18,9 @@ struct HeadingCommand {
 ///
 ///     o = (−vy, vx) / wz,    speed_limit = maxᵢ |v + w z × cᵢ|
 ///
-/// @param twist  per second [m/s], [rad/s]
-/// @param last   whose line a stop keeps
-/// @returns `last`, stopped, with speed 0, if the twist is zero or not finite
+/// @param twist  [m/s], [rad/s]
+/// @param last   the previous heading, whose path a stop keeps
+/// @returns `last` stopped, with speed limit 0, if the twist is zero or not finite
 [[nodiscard]] HeadingCommand from_twist(const PlanarTwist& twist, const Workspaces& workspaces,
                                         const Heading& last = Heading::stop()) noexcept;
 

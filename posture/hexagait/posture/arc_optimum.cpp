@@ -7,7 +7,7 @@
 namespace hexagait::posture {
 namespace {
 
-// The three sums on which everything depends.
+// The three sums of the quadratic.
 struct Sums {
   double lag_S = 0.0, lag_A = 0.0;  // Σ t(c)·(c − p)
   double D = 0.0;                   // Σ_S t(p)·t(c)
@@ -30,13 +30,13 @@ Sums sums(const LegArray<Vector3>& p_BF, const LegArray<Vector3>& p_BC, LegSet s
   return sums;
 }
 
-// 2 atan(w q) / w, smooth through w = 0: below 1e-4 the series errs by less than 1e-16, relatively.
+// 2 atan(w q) / w. Below 1e-4 the series has a relative error of less than 1e-16.
 double path_length(double q, double w) {
   const double x = w * q;
   return std::abs(x) < 1e-4 ? 2.0 * q * (1.0 - x * x / 3.0) : 2.0 * std::atan(x) / w;
 }
 
-// Where |f| is least when it has no zero: f's extremum on the side to which the airborne legs pull.
+// The minimum of |f| where f has no zero: the extremum of f on the side of the airborne legs.
 double extremum(const Sums& sums, double w) {
   const double quarter = std::copysign(0.5 * std::numbers::pi, w * sums.lag_A);
   return wrap_angle(-quarter - std::atan2(w * sums.lag_S, sums.D)) / w;
@@ -55,8 +55,8 @@ ArcOptimum arc_optimum(const LegArray<Vector3>& p_BF, const LegArray<Vector3>& p
   if (discriminant < 0.0) return {extremum(s, w), clamped};
   const double root = std::sqrt(discriminant);
 
-  // Both quotients are tan(θ/2); each is used where its own sum doesn't cancel. D < 0, feet on the
-  // far side of the turning centre, implies w ≠ 0.
+  // Both quotients are tan(θ/2); each is used where its sum does not cancel. D < 0 (feet on the far
+  // side of the turning centre) implies w ≠ 0.
   if (s.D >= 0.0) return {path_length(-(s.lag_S + s.lag_A) / (s.D + root), w), found};
   return {wrap_angle(2.0 * std::atan2(root - s.D, w * (s.lag_A - s.lag_S))) / w, found};
 }

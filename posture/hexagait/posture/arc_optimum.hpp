@@ -7,18 +7,18 @@
 
 namespace hexagait::posture {
 
-/// Where the body is best on its path, for feet as they are now.
+/// The best position of the body on its path, for given feet.
 struct ArcOptimum {
   enum class Status {
     found,        ///< the gradient vanishes there
-    clamped,      ///< airborne legs pull harder than any place can answer: the nearest place
-    unsupported,  ///< no support leg, or none that moving along the path would move: advance = 0
+    clamped,      ///< the gradient vanishes nowhere; there it is smallest
+    unsupported,  ///< no support leg, or none that moves as the body advances: advance = 0
   };
-  double advance = 0.0;  ///< s* of the body along its path [m of path]
+  double advance = 0.0;  ///< s* [m of path]
   Status status = Status::unsupported;
 };
 
-/// The advance of the body at which the restricted gradient ([PC04] (9), advance_gradient()),
+/// The advance of the body at which the gradient along the path ([PC04] (9), advance_gradient()),
 /// summed over *all* legs, vanishes when the support legs S keep their footholds and the airborne
 /// legs A stay where they are in the body frame. [PC04] 4 descends the gradient; this is its zero.
 ///
@@ -28,21 +28,21 @@ struct ArcOptimum {
 ///     f(s) = L_S + L_A + D sin θ / w − w L_S (1 − cos θ) / w,
 ///     L = Σ t(c)·(c − p),    D = Σ_S t(p)·t(c)
 ///
-/// (t(c) · z × t(p) = w t(c)·(c − p)). With q = tan(θ/2) / w this is a quadratic in q, and its root
-/// nearest to 0, also the one where E is least and not greatest, is
+/// (since t(c) · z × t(p) = w t(c)·(c − p)). With q = tan(θ/2) / w this is a quadratic in q; its
+/// root nearest to 0, which is the minimum of E, is
 ///
 ///     q = −(L_S + L_A) / (D + √Δ),    Δ = D² + w² (L_S² − L_A²),    s* = 2 atan(w q) / w
 ///
-/// One formula for all w: nothing is divided by w, and nothing cancels. For w = 0 it is the mean,
-/// s* = −Σ_all lag / n_support. In angles about the turning centre, a = p − o, b = c − o, it turns
-/// the feet by
+/// It holds for all w without division by w or cancellation. For w = 0 it is the mean, s* = −Σ_all
+/// lag / n_support. In angles about the turning centre, with a = p − o, b = c − o, it turns the
+/// feet by
 ///
 ///     γ = −θ = atan2(Σ_S a×b, Σ_S a·b) + asin(Σ_A a×b / hypot(Σ_S a×b, Σ_S a·b))
 ///
-/// Δ < 0 is an argument of the arcsine beyond ±1; then the θ where |f| is least is `clamped`.
+/// Δ < 0 means an argument of the arcsine beyond ±1; then the θ with the least |f| is returned.
 ///
-/// Accuracy: relative error below 1e-13 unless Δ ≪ D² (w|L_A| near √(D² + w² L_S²), feet some 90°
-/// about o from where they belong), where it falls to that of a double root, √1e-16.
+/// Accuracy: relative error below 1e-13, except for Δ ≪ D² (feet some 90° about o from their
+/// centres), where it approaches that of a double root, 1e-8.
 ///
 /// @param p_BF       feet, all legs [m]
 /// @param p_BC       workspace centres [m]

@@ -18,7 +18,6 @@ StancePose free_stance(const RobotModel& model, const StanceProblem& problem) {
   StancePose stance;
   stance.X_OB = problem.X_OB * free_optimum(p_BF, p_BN, problem.reach);
 
-  // What has come of it.
   const Pose X_NO = stance.X_OB.inverse();
   for (LegId i = 0; i < n; ++i) {
     if (!problem.reach.contains(i)) continue;

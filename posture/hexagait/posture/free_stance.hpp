@@ -6,10 +6,10 @@
 
 namespace hexagait::posture {
 
-/// [PC04]'s pose adaptation as the strategy of scripted BaseAuto commands (PlannerParams::stance):
-/// the base where the sum of squared distances of all feet in `reach` from the nominal stance is
-/// least, in closed form (free_optimum()). The paper lets the feet alone decide: neither the margin
-/// nor the legs' reach is kept, both are reported.
+/// [PC04]'s pose adaptation as a strategy of scripted BaseAuto commands (PlannerParams::stance):
+/// the base pose with the least sum of squared distances of all feet in `reach` from the nominal
+/// stance, in closed form (free_optimum()). As in the paper, neither stability margin nor reach
+/// constrain the pose; both are reported.
 [[nodiscard]] StancePose free_stance(const RobotModel& model, const StanceProblem& problem);
 
 }  // namespace hexagait::posture

@@ -7,10 +7,10 @@
 
 namespace hexagait {
 
-/// What a text says, or what is wrong with it.
+/// A parsed height, or why the text is not one.
 struct ParsedHeight {
   double metres = 0.0;
-  std::string problem = {};  ///< empty: nothing
+  std::string problem = {};  ///< empty if there is none
 };
 
 /// Reads a height of terrain such as 0.05, 0.05m, 5cm or 50mm: finite, not negative.

@@ -6,8 +6,9 @@
 
 namespace hexagait {
 
-/// What a stream of random numbers is for. Separate streams, so that every controller meets the
-/// same terrain and adding a draw to one purpose moves no other.
+/// The purpose of a stream of random numbers. Purposes have separate streams, so that every
+/// controller meets the same terrain and an additional draw for one purpose does not affect the
+/// others.
 enum class RandomStream : std::uint32_t {
   terrain = 1,
   posture = 2,

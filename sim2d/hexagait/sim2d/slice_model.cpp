@@ -74,9 +74,9 @@ SliceRecord SliceRobot::advance() {
 void SliceRobot::lift(LegSet legs) {
   for (LegId leg = 0; leg < foot_.size(); ++leg) {
     if (!legs.contains(leg)) continue;
-    const double sweep = stance_from_[leg] - foot_[leg];
-    sweep_ = std::max(sweep_, sweep);
-    swept_ += sweep;
+    const double stroke = stance_from_[leg] - foot_[leg];
+    longest_stroke_ = std::max(longest_stroke_, stroke);
+    stroke_sum_ += stroke;
     if (config_.terrain.kind != Kind::profile)
       due_[leg] = 1 + descent_of(config_.terrain, seed_, leg, lifts_[leg]);
     ++lifts_[leg];
@@ -146,7 +146,7 @@ void SliceRobot::watch_tripods(LegSet lifted) {
 
 SliceSummary SliceRobot::summary() const {
   const int n = foot_.size();
-  SliceSummary s{.slices = slice_, .distance = position_, .sweep = sweep_, .hash = hash_};
+  SliceSummary s{.slices = slice_, .distance = position_, .stroke = longest_stroke_, .hash = hash_};
   if (slice_ > 0) s.speed = position_ / slice_;
   if (tripods_ >= kTripods) s.tripod_after = tripods_since_;
 
@@ -155,12 +155,12 @@ SliceSummary SliceRobot::summary() const {
     s.lifts += lifts_[leg];
     landings += landings_[leg];
     air_time += air_time_[leg];
-    if (!airborne_.contains(leg)) s.sweep = std::max(s.sweep, stance_from_[leg] - foot_[leg]);
+    if (!airborne_.contains(leg)) s.stroke = std::max(s.stroke, stance_from_[leg] - foot_[leg]);
     s.hash = fnv1a(std::bit_cast<std::uint64_t>(foot_[leg]), s.hash);
   }
   s.hash = fnv1a(static_cast<std::uint16_t>(airborne_.bits()), s.hash);
   s.hash = fnv1a(std::bit_cast<std::uint64_t>(position_), s.hash);
-  if (s.lifts > 0) s.sweep_mean = swept_ / s.lifts;
+  if (s.lifts > 0) s.mean_stroke = stroke_sum_ / s.lifts;
   if (landings > 0) s.step_time = static_cast<double>(air_time) / landings;
 
   // (slice 2): 2 S / (d_a + d_b), with the mean of the steps that the pair made.
@@ -171,7 +171,7 @@ SliceSummary SliceRobot::summary() const {
     if (steps > 0)
       longest = std::max(longest, static_cast<double>(air_time_[a] + air_time_[b]) / steps);
   }
-  if (longest > 0.0) s.bound = s.sweep / longest;
+  if (longest > 0.0) s.bound = s.stroke / longest;
   return s;
 }
 

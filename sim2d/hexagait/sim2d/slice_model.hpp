@@ -50,16 +50,16 @@ struct SliceRecord {
 /// How a run went.
 struct SliceSummary {
   int slices = 0;
-  double distance = 0.0;    ///< of the body [units]
-  double speed = 0.0;       ///< mean [units per slice]
-  int lifts = 0;            ///< steps begun, of all legs
-  double step_time = 0.0;   ///< mean time in the air of the steps that ended [slices]
-  double sweep = 0.0;       ///< S: the longest way of a foot in the body frame in a stance [units]
-  double sweep_mean = 0.0;  ///< the same, mean of the stances that ended [units]
-  double bound = 0.0;       ///< (slice 2) with this S and the slowest pair [units per slice]
-  int tripod_after = -1;    ///< slices before the first lift from which on whole tripods alternate
-                            ///< to the end, six at least; −1 if the run does not end so
-  std::uint64_t hash = 0;   ///< FNV-1a of all lifts and the last state
+  double distance = 0.0;     ///< of the body [units]
+  double speed = 0.0;        ///< mean [units per slice]
+  int lifts = 0;             ///< steps begun, of all legs
+  double step_time = 0.0;    ///< mean time in the air of the steps that ended [slices]
+  double stroke = 0.0;       ///< S: the longest way of a foot in the body frame in a stance [units]
+  double mean_stroke = 0.0;  ///< the same, mean of the stances that ended [units]
+  double bound = 0.0;        ///< (slice 2) with this S and the slowest pair [units per slice]
+  int tripod_after = -1;     ///< slices before the first lift from which on whole tripods alternate
+                             ///< to the end, six at least; −1 if the run does not end so
+  std::uint64_t hash = 0;    ///< FNV-1a of all lifts and the last state
 
   [[nodiscard]] double fraction_of_bound() const { return bound > 0.0 ? speed / bound : 0.0; }
 };
@@ -109,7 +109,7 @@ class SliceRobot {
   // What the summary tells.
   LegArray<double> stance_from_;  // where the stance began [units]
   LegArray<int> lifts_, landings_, air_time_;
-  double sweep_ = 0.0, swept_ = 0.0;
+  double longest_stroke_ = 0.0, stroke_sum_ = 0.0;
   LegSet last_lifted_;
   int tripods_ = 0, tripods_since_ = -1;
   std::uint64_t hash_;

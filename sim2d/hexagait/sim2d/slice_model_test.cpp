@@ -52,7 +52,7 @@ TEST(SliceModel, TheTripodAdvancesExactlyFiftyUnitsEverySixSlices) {
   for (int step = 0; step < 20; ++step)
     for (int slice = 0; slice < 6; ++slice)
       EXPECT_EQ(robot.advance().advance, slice == 0 ? 50.0 : 0.0) << "slice " << slice;
-  EXPECT_EQ(robot.summary().sweep, 50.0);
+  EXPECT_EQ(robot.summary().stroke, 50.0);
   EXPECT_EQ(robot.summary().step_time, 6.0);
   EXPECT_EQ(robot.summary().bound, 2.0 * 50.0 / (6.0 + 6.0));
 }
@@ -81,13 +81,13 @@ TEST(SliceModel, NeverExceedsTheBound) {
   for_each_trial([](const SliceConfig& c, const SliceSeed& seed) {
     const SliceSummary s = run_slices(c, seed);
     ASSERT_GT(s.bound, 0.0);
-    ASSERT_LE(s.distance, s.bound * s.slices + 2.0 * s.sweep);
+    ASSERT_LE(s.distance, s.bound * s.slices + 2.0 * s.stroke);
   });
 }
 
 // What the records alone tell of a run.
 struct Observed {
-  double longest_sweep = 0.0;
+  double longest_stroke = 0.0;
   int lifts = 0;
   LegArray<int> steps{6, 0}, time{6, 0};  // that ended, and slices that they took
   int tripod_after = -1;
@@ -105,7 +105,7 @@ Observed observe(const SliceConfig& c, const SliceSeed& seed) {
     seen.lifts += record.lifted.size();
     for (LegId leg = 0; leg < 6; ++leg) {
       if (record.lifted.contains(leg))
-        seen.longest_sweep = std::max(seen.longest_sweep, from[leg] - before[leg]);
+        seen.longest_stroke = std::max(seen.longest_stroke, from[leg] - before[leg]);
       if (!record.airborne.contains(leg)) continue;
       from[leg] = kHalfStroke;
       ++in_air[leg];
@@ -117,7 +117,7 @@ Observed observe(const SliceConfig& c, const SliceSeed& seed) {
   }
   for (LegId leg = 0; leg < 6; ++leg)
     if (!robot.airborne().contains(leg))
-      seen.longest_sweep = std::max(seen.longest_sweep, from[leg] - before[leg]);
+      seen.longest_stroke = std::max(seen.longest_stroke, from[leg] - before[leg]);
 
   // Backwards through tripods that alternate.
   const auto is_tripod = [](LegSet legs) {
@@ -136,7 +136,7 @@ TEST(SliceModel, SumsUpWhatAnObserverSees) {
     const SliceSummary s = run_slices(c, seed);
     const Observed seen = observe(c, seed);
     ASSERT_EQ(s.lifts, seen.lifts);
-    ASSERT_EQ(s.sweep, seen.longest_sweep);
+    ASSERT_EQ(s.stroke, seen.longest_stroke);
     ASSERT_EQ(s.tripod_after, seen.tripod_after);
     double steps = 0.0, time = 0.0, slowest = 0.0;
     for (const LegId a : {0, 1, 2, 3, 4, 5}) {
@@ -147,7 +147,7 @@ TEST(SliceModel, SumsUpWhatAnObserverSees) {
                                       (seen.steps[a] + seen.steps[b]));
     }
     ASSERT_DOUBLE_EQ(s.step_time, time / steps);
-    ASSERT_DOUBLE_EQ(s.bound, seen.longest_sweep / slowest);  // 2 S / (2 · mean of the pair)
+    ASSERT_DOUBLE_EQ(s.bound, seen.longest_stroke / slowest);  // 2 S / (2 · mean of the pair)
   });
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kPadCells = 2;  // the start pad covers cells −2 … 1 of both axes
 
-// The kinds that have a height.
+// The kinds of terrain with a height.
 struct HighKind {
   std::string_view name;
   TerrainSpec::Kind kind;
@@ -92,7 +92,7 @@ double Terrain::level(int i, int j) const {
 
   if (spec_.kind == TerrainSpec::Kind::step) return i >= kPadCells ? spec_.height : 0.0;
 
-  // The pair of indices is the draw: every cell of the plane has a number of its own.
+  // The pair of indices is the draw, so every cell has its own random number.
   const std::uint64_t high = static_cast<std::uint32_t>(i), low = static_cast<std::uint32_t>(j);
   return spec_.height * random_u01(seed_, RandomStream::terrain, 0, (high << 32) | low);
 }

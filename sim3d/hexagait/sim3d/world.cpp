@@ -28,7 +28,7 @@ detail::WorldPtr make_ode_world(const WorldParams& params, dThreadingImplementat
   return world;
 }
 
-// Level, where it is to start, with the lowest foot just above the ground.
+// Start pose of the base: level, with the lowest foot start_clearance above the ground.
 Pose start_pose(const RobotModel& model, const Terrain& terrain, const WorldParams& params,
                 const LegArray<LegJoints>& q) {
   Pose X_WB{rotation_z(params.start.angle), Vector3::Zero()};
@@ -43,7 +43,7 @@ Pose start_pose(const RobotModel& model, const Terrain& terrain, const WorldPara
   return X_WB;
 }
 
-// Of the joints that there are.
+// Are the values finite for all joints that exist?
 bool all_finite(const JointTargets& targets, const LegArray<int>& num_joints) {
   for (LegId leg = 0; leg < num_joints.size(); ++leg)
     for (const LegArray<LegJoints>* all : {&targets.q, &targets.qd, &targets.effort})
@@ -51,8 +51,8 @@ bool all_finite(const JointTargets& targets, const LegArray<int>& num_joints) {
   return true;
 }
 
-// What the contacts of one step of length h say about the feet. A foot on an edge has several
-// contacts: their forces add, and the most loaded one says how it slips.
+// Updates the ground truth of the feet from the contacts of one step of length h. A foot on an edge
+// has several contacts: their forces add up, and the most loaded one determines its slip.
 void record_contacts(std::span<const Touch> touches, double h, GroundTruth& truth) {
   LegArray<double> largest(truth.feet.size(), 0.0);
   LegArray<Vector3> slip_velocity(truth.feet.size(), Vector3::Zero());
@@ -157,16 +157,16 @@ class World::Impl {
 
   WorldParams params_;
   int physics_steps_;  // per control period
-  int steps_ = 0;      // since the beginning
+  int steps_ = 0;      // since the start
   detail::ThreadingPtr threading_;
   detail::WorldPtr world_;
   detail::Ground ground_;
   detail::Contacts contacts_;
   detail::Robot robot_;
   LegArray<int> num_joints_;
-  LegArray<bool> felt_;             // latched over the control period
+  LegArray<bool> felt_;             // contact in any step of the control period
   Vector3 push_ = Vector3::Zero();  // on the base [N]
-  long push_steps_ = 0;             // still to go
+  long push_steps_ = 0;             // remaining
   GroundTruth truth_;
 };
 

@@ -68,7 +68,7 @@ std::string run_slice(const TrialConfig& config) {
   return fmt::format("{},,{},{},{},{},{},{},{:016x}", to_string(Outcome::walked), s.speed,
                      s.fraction_of_bound(),
                      s.tripod_after < 0 ? "" : std::to_string(s.tripod_after), s.lifts, s.step_time,
-                     s.sweep, s.hash);
+                     s.stroke, s.hash);
 }
 
 // ---- box2d ------------------------------------------------------------------------------------

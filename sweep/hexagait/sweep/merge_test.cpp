@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <hexagait/sweep/report.hpp>
@@ -161,7 +162,21 @@ TEST_F(JournalOrder, KnowsWhatIsDoneWithinTheWindow) {
   EXPECT_TRUE(done.done(0) && done.done(65535) && !done.done(65536) && !done.done(3));
 }
 
-using Reporting = ScratchSweep;
+class Reporting : public ScratchSweep {
+ protected:
+  static constexpr const char* kHead =
+      "trial,controller,robot,terrain,roughness,seed,outcome,reason,";
+
+  // A sweep whose trials.csv is replaced.
+  void rows(const std::string& text) {
+    if (!std::filesystem::exists(at("a"))) run(slices(1), "a");
+    std::ofstream(at("a") / "trials.csv") << kHead << "speed_units_per_slice,fraction_of_bound\n"
+                                          << text;
+  }
+  [[nodiscard]] Report report(const ReportOptions& options = {}) const {
+    return make_report(at("a"), options);
+  }
+};
 
 // The mean of a column by hand, and that of the differences, which is the difference of the means.
 TEST_F(Reporting, AveragesAndComparesPairwise) {
@@ -174,42 +189,149 @@ TEST_F(Reporting, AveragesAndComparesPairwise) {
     for (int i = 0; i < 9; ++i) std::getline(cells, cell, ',');
     if (k % 3 < 2) sum[k % 3] += std::stod(cell) / 20.0;
   }
-  const Report report = make_report(at("a"), "");
-  ASSERT_EQ(report.lines.size(), 9U);
-  EXPECT_EQ(report.first, "tripod");
-  EXPECT_NEAR(report.lines[0].value->mean, sum[0], 1e-12);
-  EXPECT_NEAR(report.lines[1].value->mean, sum[1], 1e-12);
-  EXPECT_NEAR(report.lines[1].difference->mean, sum[1] - sum[0], 1e-12);
-  EXPECT_EQ(report.lines[1].difference->count, 20);
-  EXPECT_FALSE(report.lines[0].difference);
+  const Report of = report();
+  ASSERT_EQ(of.lines.size(), 9U);
+  EXPECT_EQ(of.first, "tripod");
+  EXPECT_NEAR(of.lines[0].value->value, sum[0], 1e-12);
+  EXPECT_NEAR(of.lines[1].value->value, sum[1], 1e-12);
+  EXPECT_NEAR(of.lines[1].difference->difference.value, sum[1] - sum[0], 1e-12);
+  EXPECT_NEAR(*of.lines[1].difference->percent, 100.0 * (sum[1] / sum[0] - 1.0), 1e-9);
+  EXPECT_EQ(of.lines[1].difference->count, 20);
+  EXPECT_FALSE(of.lines[0].difference);
+}
+
+// Seed 7 of the second controller is missing, and the rows are shuffled: 3 − 1 and 10 − 5.
+TEST_F(Reporting, PairsBySeedWhateverTheOrderAndWhateverIsMissing) {
+  rows(
+      "5,free,r,flat,0,9,walked,,10,\n"
+      "0,tripod,r,flat,0,8,walked,,1,\n"
+      "2,tripod,r,flat,0,7,walked,,100,\n"
+      "1,free,r,flat,0,8,walked,,3,\n"
+      "4,tripod,r,flat,0,9,walked,,5,\n");
+  const Report of = report();
+  EXPECT_EQ(of.first, "free");
+  const Compared& difference = *of.lines[1].difference;
+  EXPECT_EQ(difference.count, 2);
+  EXPECT_DOUBLE_EQ(difference.difference.value, -3.5);
+  EXPECT_DOUBLE_EQ(*difference.percent, -100.0 * 3.5 / 6.5);
+}
+
+TEST_F(Reporting, RefusesADamagedTableWithItsLine) {
+  const std::string good = "0,free,r,flat,0,1,walked,,3,\n";
+  const auto says = [&](const std::string& text) {
+    rows(good + text);
+    return refusal([&] { static_cast<void>(report()); });
+  };
+  EXPECT_THAT(says("1,free,r,flat,0,2\n"), HasSubstr("trials.csv:3: has 6 cells, the header 10"));
+  EXPECT_THAT(says("1,free,r,flat,0,2,walked,,fast,\n"), HasSubstr(":3: the column 'speed_units"));
+  EXPECT_THAT(says("1,free,r,flat,0,x,walked,,3,\n"), HasSubstr(":3: the column 'seed' has 'x'"));
+  EXPECT_THAT(says("1,free,r,flat,0,2,flew,,3,\n"), HasSubstr("the column 'outcome' has 'flew'"));
+  EXPECT_THAT(says(good), HasSubstr("'free' with 'r' on 'flat' and seed 1 is there twice"));
+  rows("");
+  EXPECT_THAT(refusal([&] { static_cast<void>(report()); }), HasSubstr("has no trials"));
+  std::ofstream(at("a") / "trials.csv") << "trial,speed_units_per_slice\n";
+  EXPECT_THAT(refusal([&] { static_cast<void>(report()); }),
+              HasSubstr("there is no column 'robot'"));
+}
+
+// A robot that fell in the first second was fast: it counts among the falls, not in the mean.
+TEST_F(Reporting, CountsFallsApartUnlessAllTrialsAreAskedFor) {
+  rows(
+      "0,free,r,flat,0,1,walked,,1,\n1,free,r,flat,0,2,late,,3,\n2,free,r,flat,0,3,fell,,50,\n"
+      "3,free,r,flat,0,4,stuck,,0,\n4,free,r,flat,0,5,timed_out,it took longer,,\n");
+  const Report of = report();
+  EXPECT_DOUBLE_EQ(of.lines[0].value->value, 2.0);
+  EXPECT_THAT(in_words(of), AllOf(HasSubstr("2/5"), HasSubstr("1 fell, 1 stuck, 1 timed_out")));
+  const auto json = nlohmann::json::parse(to_json(of));
+  EXPECT_EQ(json["lines"][0]["outcomes"]["fell"], 1);
+  EXPECT_EQ(json["lines"][0]["outcomes"]["walked"], 1);
+  EXPECT_DOUBLE_EQ(report({.all_trials = true}).lines[0].value->value, 13.5);
+}
+
+// 20 falls in no trial of 20 are a proportion of at most 16 %, not of 0 ± 0.
+TEST_F(Reporting, GivesProportionsAnIntervalThatIsNeverEmpty) {
+  Sweep sweep;
+  sweep.engine = Engine::box2d;
+  sweep.controllers = {*gait_state::parse_gait_choice("free")};
+  sweep.robots.push_back({.name = "genghis2d", .model = {}});
+  sweep.terrains = {ground(Engine::box2d, "flat")};
+  sweep.num_seeds = 1;
+  sweep.limits.seconds = 0.1;
+  sweep.measure = "fell";
+  run(sweep, "a");
+  std::string text = std::string(kHead) + "fell\n";
+  for (int seed = 0; seed < 20; ++seed)
+    text += fmt::format("0,free,r,flat,0,{0},walked,,0\n1,tripod,r,flat,0,{0},{1},,{2}\n", seed,
+                        seed < 5 ? "fell" : "walked", seed < 5 ? 1 : 0);
+  std::ofstream(at("a") / "trials.csv") << text;
+  const Report of = report();
+  EXPECT_EQ(of.lines[0].value->value, 0.0);
+  EXPECT_NEAR(of.lines[0].value->upper, 0.161, 1e-3);
+  EXPECT_EQ(of.lines[1].value->count, 20);  // falls are what is counted
+  EXPECT_NEAR(of.lines[1].value->value, 0.25, 1e-12);
+  EXPECT_GT(of.lines[1].difference->difference.lower, 0.0);
+  EXPECT_THAT(in_words(of), AllOf(HasSubstr("0 % (0 to 16 %)"), HasSubstr("25 % (")));
+}
+
+// Terrains have their own seeds: the difference of the means, without pairs.
+TEST_F(Reporting, ComparesTerrainsAndRobotsToo) {
+  run(slices(20), "a");
+  const Report of = report({.compare = Compare::terrains});
+  EXPECT_EQ(of.first, "flat");
+  EXPECT_FALSE(of.paired);
+  EXPECT_FALSE(of.lines[1].difference);  // free on flat ground
+  EXPECT_EQ(of.lines[4].terrain, "descent:3-7");
+  EXPECT_NEAR(of.lines[4].difference->difference.value,
+              of.lines[4].value->value - of.lines[1].value->value, 1e-12);
+  EXPECT_THAT(in_words(of), AllOf(HasSubstr("less flat"), HasSubstr("not paired")));
+
+  rows("0,free,a,flat,0,1,walked,,4,\n1,free,b,flat,0,1,walked,,5,\n");
+  const Report robots = report({.compare = Compare::robots});
+  EXPECT_TRUE(robots.paired);
+  EXPECT_DOUBLE_EQ(*robots.lines[1].difference->percent, 25.0);
 }
 
 // A wave gait never becomes a tripod: its cells are empty, and no mean is made of them.
 TEST_F(Reporting, TellsHowManyTrialsHaveAValue) {
   run(slices(20, 200), "a");
-  const Report report = make_report(at("a"), "tripod_after_slices");
-  EXPECT_FALSE(report.lines[2].value);
-  EXPECT_EQ(report.lines[2].trials, 20);
-  EXPECT_EQ(report.lines[1].value->count, 20);
-  EXPECT_THAT(in_words(report), AllOf(HasSubstr("0/20"), HasSubstr("none")));
-  EXPECT_THAT(to_json(report), HasSubstr("\"difference\": null"));
+  const Report of = report({.measure = "tripod_after_slices"});
+  EXPECT_FALSE(of.lines[2].value);
+  EXPECT_EQ(of.lines[2].trials(), 20);
+  EXPECT_EQ(of.lines[1].value->count, 20);
+  EXPECT_THAT(in_words(of), AllOf(HasSubstr("0/20"), HasSubstr("none")));
+  EXPECT_THAT(to_json(of), HasSubstr("\"difference\": null"));
+}
+
+TEST(WithError, RoundsToWhatTheErrorLeaves) {
+  EXPECT_EQ(with_error(0.067381, 0.0052), "0.067 ± 0.005");
+  EXPECT_EQ(with_error(0.067381, 0.0012), "0.0674 ± 0.0012");
+  EXPECT_EQ(with_error(-3.14159, 0.2), "-3.1 ± 0.2");
+  EXPECT_EQ(with_error(1234.5, 56.0), "1230 ± 60");
+  EXPECT_EQ(with_error(12.0, 0.0), "12 ± 0");
+  EXPECT_EQ(with_error(1.0, 1.3e-16), "1 ± 0");
+  EXPECT_EQ(with_error(0.5, std::numeric_limits<double>::infinity()), "0.5");
 }
 
 TEST_F(Reporting, RefusesAMeasureThatIsNone) {
   run(slices(2), "a");
-  EXPECT_THAT(refusal([&] { static_cast<void>(make_report(at("a"), "speed")); }),
+  EXPECT_THAT(refusal([&] { static_cast<void>(report({.measure = "speed"})); }),
               HasSubstr("did you mean 'speed_units_per_slice'"));
-  EXPECT_THAT(refusal([&] { static_cast<void>(make_report(at("a"), "hash")); }),
+  EXPECT_THAT(refusal([&] { static_cast<void>(report({.measure = "hash"})); }),
               HasSubstr("not a number"));
-  EXPECT_THAT(refusal([&] { static_cast<void>(make_report(at("b"), "")); }),
+  EXPECT_THAT(refusal([&] { static_cast<void>(make_report(at("b"), {})); }),
               HasSubstr("not the directory of a sweep"));
 }
 
 TEST_F(Reporting, DrawsAFigureAndKeepsWhatItIsMadeOf) {
   run(slices(3), "a");
-  draw(make_report(at("a"), ""));
-  for (const char* name : {"report.svg", "report.pdf", "report.png", "report.gp", "report.csv"})
-    EXPECT_GT(std::filesystem::file_size(at("a") / name), 100U) << name;
+  draw(report(), "Speed");
+  draw(report({.measure = "steps"}), "");
+  for (const char* stem : {"report-speed_units_per_slice", "report-steps"})
+    for (const char* suffix : {".svg", ".pdf", ".png", ".gp", ".csv"})
+      EXPECT_GT(std::filesystem::file_size(at("a") / (std::string(stem) + suffix)), 100U) << stem;
+  EXPECT_THAT(content(at("a") / "report-speed_units_per_slice.svg"),
+              AllOf(HasSubstr("speed [units per slice]"), HasSubstr("wave:0.75")));
+  EXPECT_THAT(content(at("a") / "report-steps.svg"), Not(HasSubstr("confidence")));
 }
 
 }  // namespace

@@ -11,21 +11,16 @@
 #include <hexagait/sweep/report.hpp>
 #include <hexagait/sweep/spelling.hpp>
 #include <hexagait/text/invalid_input.hpp>
-#include <nlohmann/json.hpp>
+#include <map>
+#include <numeric>
 
 namespace hexagait::sweep {
 namespace {
 
-using nlohmann::ordered_json;
-using statistics::Estimate;
+using Words = std::vector<std::string>;
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-// Columns that every trials.csv has in front.
-enum Cell : std::size_t { trial, controller, robot, terrain, roughness, seed, first_measure = 8 };
-
-std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> cells;
+std::vector<std::string_view> split(std::string_view line) {
+  std::vector<std::string_view> cells;
   for (std::size_t begin = 0; begin <= line.size();) {
     const std::size_t end = std::min(line.find(',', begin), line.size());
     cells.push_back(line.substr(begin, end - begin));
@@ -34,160 +29,253 @@ std::vector<std::string> split(const std::string& line) {
   return cells;
 }
 
-// Nothing for an empty cell. @throws InvalidInput
-double number(const std::string& cell, const std::string& column) {
-  if (cell.empty()) return kNone;
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error == std::errc() && end == cell.data() + cell.size()) return value;
-  throw InvalidInput(fmt::format("the column '{}' has '{}', which is not a number", column, cell));
+template <class Number>
+std::optional<Number> parsed(std::string_view text) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return {};
+  return value;
 }
 
-std::optional<statistics::Estimate> estimate_of(const std::vector<double>& values) {
-  return values.empty() ? std::nullopt : std::optional(statistics::estimate(values));
-}
-
-// The values of the controllers on one terrain, by seed; NaN for none.
-struct Place {
-  std::string robot, terrain;
-  double roughness = 0.0;
-  std::vector<std::vector<double>> values;  // by controller, then seed
+struct Trial {
+  std::uint64_t seed;
+  double value;  // NaN if it has none, or does not count
 };
 
-ReportLine line(const Place& place, std::size_t c, const std::string& controller) {
-  ReportLine result{place.robot, place.terrain, controller, place.roughness, {}, {}, {}};
-  const std::vector<double>&own = place.values[c], &others = place.values[0];
-  result.trials = static_cast<int>(own.size());
-  std::vector<double> values, a, b;
-  for (std::size_t k = 0; k < own.size(); ++k) {
-    if (std::isnan(own[k])) continue;
-    values.push_back(own[k]);
-    if (std::isnan(others[k])) continue;
-    a.push_back(own[k]);
-    b.push_back(others[k]);
+// Trials that share robot, terrain and controller, by seed.
+struct Group {
+  ReportLine line;
+  std::vector<Trial> trials = {};
+};
+
+// trials.csv, row by row.
+class TrialRows {
+ public:
+  TrialRows(const std::filesystem::path& directory, const Column& measure, bool all_trials)
+      : path_((directory / "trials.csv").string()),
+        file_(path_),
+        measure_(measure),
+        all_trials_(all_trials || measure.yes_no) {
+    if (!std::getline(file_, text_))
+      throw InvalidInput(fmt::format(
+          "'{}' has no trials.csv: the sweep is not finished; the command that began it goes on "
+          "with it",
+          directory.string()));
+    const std::vector<std::string_view> columns = split(text_);
+    num_columns_ = columns.size();
+    const std::array<std::string_view, kNumFields> names = {
+        "robot", "terrain", "controller", "roughness", "seed", "outcome", measure.name};
+    for (std::size_t field = 0; field < kNumFields; ++field) {
+      const auto found = std::ranges::find(columns, names[field]);
+      if (found == columns.end()) refuse(fmt::format("there is no column '{}'", names[field]));
+      places_[field] = static_cast<std::size_t>(found - columns.begin());
+    }
   }
-  result.value = estimate_of(values);
-  if (c > 0 && !a.empty()) result.difference = statistics::paired_difference(a, b);
+
+  // In the order in which they first appear.
+  [[nodiscard]] std::vector<Group> groups() {
+    while (std::getline(file_, text_)) {
+      ++line_;
+      row_ = split(text_);
+      if (row_.size() != num_columns_)
+        refuse(fmt::format("has {} cells, the header {}", row_.size(), num_columns_));
+      add();
+    }
+    if (groups_.empty()) throw InvalidInput(fmt::format("{}: has no trials", path_));
+    for (Group& group : groups_) {
+      std::ranges::stable_sort(group.trials, {}, &Trial::seed);
+      const auto twice = std::ranges::adjacent_find(group.trials, {}, &Trial::seed);
+      if (twice != group.trials.end())
+        throw InvalidInput(fmt::format("{}: '{}' with '{}' on '{}' and seed {} is there twice",
+                                       path_, group.line.controller, group.line.robot,
+                                       group.line.terrain, twice->seed));
+    }
+    return std::move(groups_);
+  }
+
+ private:
+  enum Field : std::size_t { robot, terrain, controller, roughness, seed, outcome, measure };
+  static constexpr std::size_t kNumFields = 7;
+
+  [[noreturn]] void refuse(const std::string& why) const {
+    throw InvalidInput(fmt::format("{}:{}: {}", path_, line_, why));
+  }
+
+  [[nodiscard]] std::string_view cell(Field field) const { return row_[places_[field]]; }
+
+  template <class Number>
+  [[nodiscard]] Number number(Field field, std::string_view name) const {
+    if (const std::optional<Number> value = parsed<Number>(cell(field))) return *value;
+    refuse(fmt::format("the column '{}' has '{}', which is not a number", name, cell(field)));
+  }
+
+  [[nodiscard]] Outcome ended() const {
+    for (const Outcome known : kOutcomes)
+      if (cell(outcome) == to_string(known)) return known;
+    refuse(fmt::format("the column 'outcome' has '{}'", cell(outcome)));
+  }
+
+  [[nodiscard]] Group& group() {
+    std::array<std::string, 3> key;
+    for (const Field field : {robot, terrain, controller}) key[field] = cell(field);
+    const auto [found, is_new] = index_.emplace(key, groups_.size());
+    if (is_new) {
+      ReportLine line;
+      line.robot = key[robot];
+      line.terrain = key[terrain];
+      line.controller = key[controller];
+      line.roughness = number<double>(roughness, "roughness");
+      groups_.push_back({std::move(line)});
+    }
+    return groups_[found->second];
+  }
+
+  void add() {
+    Group& to = group();
+    const Outcome end = ended();
+    ++to.line.outcomes[static_cast<std::size_t>(end)];
+    Trial trial{number<std::uint64_t>(seed, "seed"), std::numeric_limits<double>::quiet_NaN()};
+    if (!cell(measure).empty() && (all_trials_ || walked_on(end))) {
+      trial.value = number<double>(measure, measure_.name);
+      if (measure_.yes_no && trial.value != 0.0 && trial.value != 1.0)
+        refuse(
+            fmt::format("the column '{}' has {}; it must be 0 or 1", measure_.name, trial.value));
+    }
+    to.trials.push_back(trial);
+  }
+
+  std::string path_, text_;
+  std::ifstream file_;
+  const Column& measure_;
+  bool all_trials_;
+  std::size_t num_columns_ = 0;
+  std::array<std::size_t, kNumFields> places_{};
+  std::vector<std::string_view> row_;
+  std::uint64_t line_ = 1;
+  std::vector<Group> groups_;
+  std::map<std::array<std::string, 3>, std::size_t> index_;
+};
+
+std::vector<double> values_of(const Group& group) {
+  std::vector<double> values;
+  for (const Trial& trial : group.trials)
+    if (!std::isnan(trial.value)) values.push_back(trial.value);
+  return values;
+}
+
+statistics::Proportion proportion_of(const std::vector<double>& values) {
+  return statistics::proportion(static_cast<int>(std::ranges::count(values, 1.0)),
+                                static_cast<int>(values.size()));
+}
+
+std::optional<Measured> measured(const Group& group, bool yes_no) {
+  const std::vector<double> values = values_of(group);
+  if (values.empty()) return {};
+  if (yes_no) {
+    const statistics::Proportion p = proportion_of(values);
+    return Measured{p.trials, p.share(), p.lower, p.upper};
+  }
+  const statistics::Estimate e = statistics::estimate(values);
+  return Measured{e.count, e.mean, e.lower(), e.upper(), e.sd};
+}
+
+std::optional<Compared> compared(const Group& group, const Group& first, const Report& report) {
+  std::vector<double> a, b;
+  if (report.paired) {
+    for (const Trial& trial : group.trials) {
+      const auto other = std::ranges::lower_bound(first.trials, trial.seed, {}, &Trial::seed);
+      if (other == first.trials.end() || other->seed != trial.seed) continue;
+      if (std::isnan(trial.value) || std::isnan(other->value)) continue;
+      a.push_back(trial.value);
+      b.push_back(other->value);
+    }
+  } else {
+    a = values_of(group);
+    b = values_of(first);
+  }
+  if (a.empty() || b.empty()) return {};
+  Compared result;
+  result.count = static_cast<int>(std::min(a.size(), b.size()));
+  if (report.measure.yes_no) {
+    result.difference = statistics::difference(proportion_of(a), proportion_of(b));
+    return result;
+  }
+  if (report.paired) {
+    const statistics::Estimate d = statistics::paired_difference(a, b);
+    result.difference = {d.mean, d.lower(), d.upper()};
+  } else {
+    result.difference = statistics::unpaired_difference(a, b);
+  }
+  const double mean = statistics::estimate(b).mean;
+  if (mean != 0.0) result.percent = 100.0 * result.difference.value / std::abs(mean);
   return result;
 }
 
-// The rows of trials.csv, in which controllers vary fastest, then seeds, then terrains.
-class Table {
- public:
-  explicit Table(std::size_t measure) : measure_(measure) {}
-
-  void add(const std::vector<std::string>& row, const std::string& column) {
-    if (places_.empty() || places_.back().robot != row[robot] ||
-        places_.back().terrain != row[terrain])
-      places_.push_back({row[robot], row[terrain], number(row[roughness], "roughness"), {}});
-    auto found = std::ranges::find(controllers_, row[controller]);
-    if (found == controllers_.end()) found = controllers_.insert(found, row[controller]);
-    const auto c = static_cast<std::size_t>(found - controllers_.begin());
-    Place& place = places_.back();
-    place.values.resize(std::max(place.values.size(), c + 1));
-    place.values[c].push_back(number(row[measure_], column));
-  }
-
-  [[nodiscard]] std::vector<ReportLine> lines() const {
-    std::vector<ReportLine> result;
-    for (const Place& place : places_)
-      for (std::size_t c = 0; c < place.values.size(); ++c)
-        result.push_back(line(place, c, controllers_[c]));
-    return result;
-  }
-
-  [[nodiscard]] const std::string& first() const { return controllers_.front(); }
-
- private:
-  std::size_t measure_;
-  std::vector<std::string> controllers_;
-  std::vector<Place> places_;
-};
-
-std::string cell(const std::optional<statistics::Estimate>& estimate) {
-  if (!estimate) return "none";
-  return std::isinf(estimate->half_width)
-             ? fmt::format("{:.5g}", estimate->mean)
-             : fmt::format("{:.5g} ± {:.2g}", estimate->mean, estimate->half_width);
+const std::string& compared_name(const ReportLine& line, Compare compare) {
+  return compare == Compare::controllers ? line.controller
+         : compare == Compare::terrains  ? line.terrain
+                                         : line.robot;
 }
 
-ordered_json json(const std::optional<statistics::Estimate>& estimate) {
-  if (!estimate) return nullptr;
-  const auto finite = [](double value) {
-    return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
-  };
-  return {{"count", estimate->count},
-          {"mean", estimate->mean},
-          {"sd", estimate->sd},
-          {"ci95", {finite(estimate->lower()), finite(estimate->upper())}}};
+Column measure_of(const Header& header, const std::string& asked,
+                  const std::filesystem::path& directory) {
+  const std::string& name = asked.empty() ? header.measure : asked;
+  Words numbers;
+  for (const Column& column : columns(header.engine)) {
+    if (column.name == "hash") continue;
+    if (column.name == name) return column;
+    numbers.push_back(column.name);
+  }
+  if (name == "hash")
+    throw InvalidInput("--measure is 'hash', which is not a number that can be averaged");
+  throw InvalidInput(fmt::format("--measure is '{}', which is no column of numbers in '{}'{}", name,
+                                 directory.string(), suggestion(name, numbers)));
 }
 
 }  // namespace
 
-Report make_report(const std::filesystem::path& directory, const std::string& measure) {
+std::string_view to_string(Compare compare) {
+  switch (compare) {
+    case Compare::controllers:
+      return "controllers";
+    case Compare::terrains:
+      return "terrains";
+    case Compare::robots:
+      return "robots";
+  }
+  return "";
+}
+
+int ReportLine::trials() const { return std::accumulate(outcomes.begin(), outcomes.end(), 0); }
+
+Report make_report(const std::filesystem::path& directory, const ReportOptions& options) {
   const Header header =
       parse_header(JournalReader(directory).header(), journal_path(directory).string());
-  std::ifstream file(directory / "trials.csv");
-  std::string text;
-  if (!std::getline(file, text))
-    throw InvalidInput(
-        fmt::format("'{}' has no trials.csv: the sweep is not finished; the command that began it "
-                    "goes on with it",
-                    directory.string()));
+  Report report{.directory = directory.string(),
+                .measure = measure_of(header, options.measure, directory),
+                .roughness_label = std::string(roughness_label(header.engine)),
+                .compare = options.compare,
+                .first = {},
+                .paired = options.compare != Compare::terrains,
+                .all_trials = options.all_trials,
+                .lines = {}};
+  std::vector<Group> groups = TrialRows(directory, report.measure, report.all_trials).groups();
+  report.first = compared_name(groups.front().line, report.compare);
 
-  Report report{directory.string(), measure.empty() ? header.measure : measure, {}, {}};
-  const std::vector<std::string> columns = split(text);
-  const auto column = std::ranges::find(columns, report.measure);
-  if (column == columns.end())
-    throw InvalidInput(
-        fmt::format("--measure is '{}', which is no column{}", report.measure,
-                    suggestion(report.measure, {columns.begin() + first_measure, columns.end()})));
-
-  Table table(static_cast<std::size_t>(column - columns.begin()));
-  while (std::getline(file, text)) {
-    const std::vector<std::string> row = split(text);
-    if (row.size() != columns.size())
-      throw InvalidInput(fmt::format("'{}/trials.csv': a row has {} cells, the header {}",
-                                     directory.string(), row.size(), columns.size()));
-    table.add(row, report.measure);
+  const auto peers = [&](const ReportLine& a, const ReportLine& b) {
+    return (report.compare == Compare::controllers || a.controller == b.controller) &&
+           (report.compare == Compare::terrains || a.terrain == b.terrain) &&
+           (report.compare == Compare::robots || a.robot == b.robot);
+  };
+  for (Group& group : groups) {
+    group.line.value = measured(group, report.measure.yes_no);
+    for (const Group& first : groups)
+      if (&first != &group && compared_name(first.line, report.compare) == report.first &&
+          peers(first.line, group.line))
+        group.line.difference = compared(group, first, report);
   }
-  report.lines = table.lines();
-  if (report.lines.empty())
-    throw InvalidInput(fmt::format("'{}/trials.csv' has no trials", directory.string()));
-  report.first = table.first();
+  for (Group& group : groups) report.lines.push_back(std::move(group.line));
   return report;
-}
-
-std::string in_words(const Report& report) {
-  std::string text = fmt::format(
-      "{}: mean ± half of its 95 % confidence interval; differences are paired by seed\n"
-      "  {:<14} {:<14} {:<12} {:>9} {:>22} {:>10} {:>22}\n",
-      report.measure, "robot", "terrain", "controller", "trials", "mean", "sd",
-      "less " + report.first);
-  for (const ReportLine& line : report.lines) {
-    const int count = line.value ? line.value->count : 0;
-    // "±" has two bytes and one column, which fmt knows.
-    text += fmt::format(
-        "  {:<14} {:<14} {:<12} {:>9} {:>22} {:>10} {:>22}\n", line.robot, line.terrain,
-        line.controller,
-        count == line.trials ? std::to_string(count) : fmt::format("{}/{}", count, line.trials),
-        cell(line.value), line.value ? fmt::format("{:.3g}", line.value->sd) : "",
-        line.controller == report.first ? "" : cell(line.difference));
-  }
-  return text;
-}
-
-std::string to_json(const Report& report) {
-  ordered_json result = {{"measure", report.measure}, {"compared_with", report.first}};
-  for (const ReportLine& line : report.lines)
-    result["lines"].push_back({{"robot", line.robot},
-                               {"terrain", line.terrain},
-                               {"roughness", line.roughness},
-                               {"controller", line.controller},
-                               {"trials", line.trials},
-                               {"value", json(line.value)},
-                               {"difference", json(line.difference)}});
-  return result.dump(2);
 }
 
 }  // namespace hexagait::sweep

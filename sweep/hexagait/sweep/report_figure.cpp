@@ -4,16 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <hexagait/figures/csv.hpp>
+#include <hexagait/figures/figure.hpp>
 #include <hexagait/figures/gnuplot.hpp>
 #include <hexagait/figures/staged_files.hpp>
+#include <hexagait/sweep/report.gp.hpp>
 #include <hexagait/sweep/report.hpp>
 #include <set>
 
 namespace hexagait::sweep {
 namespace {
 
-using statistics::Estimate;
 using Words = std::vector<std::string>;
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 std::string kind(const std::string& terrain) { return terrain.substr(0, terrain.find(':')); }
 
@@ -28,123 +31,111 @@ bool one_kind(const Report& report) {
   return kinds.size() == 1 && values.size() > 1;
 }
 
-// A value and the ends of its interval, or three empty cells.
-std::string cells(const std::optional<statistics::Estimate>& estimate) {
-  if (!estimate) return ",,";
-  if (std::isinf(estimate->half_width)) return fmt::format("{0},{0},{0}", estimate->mean);
-  return fmt::format("{},{},{}", estimate->mean, estimate->lower(), estimate->upper());
+// The place of a word in a list, to which it is added if it is new.
+std::size_t place(Words& words, const std::string& word) {
+  auto found = std::ranges::find(words, word);
+  if (found == words.end()) found = words.insert(found, word);
+  return static_cast<std::size_t>(found - words.begin());
 }
 
-// One curve: a robot's controller. Its rows stand together in report.csv.
-struct Curve {
-  std::string title;
-  std::size_t first = 0, last = 0;  // rows
-};
-
 struct Sheet {
-  std::string csv;
-  std::vector<Curve> curves;
-  Words terrains;
+  figures::Csv csv{
+      "curve,x,robot,terrain,roughness,controller,trials,count,sd,mean,ci95_lower,ci95_upper,"
+      "difference,difference_ci95_lower,difference_ci95_upper"};
+  Words curves, terrains;
 };
 
 Sheet sheet(const Report& report, bool over_roughness) {
   Sheet result;
-  for (const ReportLine& line : report.lines)
-    if (std::ranges::find(result.terrains, line.terrain) == result.terrains.end())
-      result.terrains.push_back(line.terrain);
-  const auto place = [&](const ReportLine& line) {
-    if (over_roughness) return line.roughness;
-    const auto found = std::ranges::find(result.terrains, line.terrain);
-    return static_cast<double>(found - result.terrains.begin());
-  };
-
   const bool robots = std::ranges::any_of(
       report.lines, [&](const ReportLine& line) { return line.robot != report.lines[0].robot; });
-  std::vector<const ReportLine*> lines;
-  for (const ReportLine& line : report.lines) lines.push_back(&line);
-  const auto name = [&](const ReportLine* line) {
-    return robots ? line->robot + ", " + line->controller : line->controller;
+  struct Point {
+    std::size_t curve;
+    double x;
+    const ReportLine* line;
   };
-  Words order;
-  for (const ReportLine* line : lines)
-    if (std::ranges::find(order, name(line)) == order.end()) order.push_back(name(line));
-  std::ranges::stable_sort(lines, {}, [&](const ReportLine* line) {
-    return std::pair(std::ranges::find(order, name(line)) - order.begin(), place(*line));
-  });
-
-  result.csv =
-      "x,robot,terrain,roughness,controller,trials,count,sd,mean,ci95_lower,ci95_upper,difference,"
-      "difference_ci95_lower,difference_ci95_upper\n";
-  for (std::size_t row = 0; row < lines.size(); ++row) {
-    const ReportLine& line = *lines[row];
-    if (result.curves.empty() || result.curves.back().title != name(&line))
-      result.curves.push_back({name(&line), row, row});
-    result.curves.back().last = row;
-    result.csv += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", place(line), line.robot,
-                              line.terrain, line.roughness, line.controller, line.trials,
-                              line.value ? line.value->count : 0,
-                              line.value ? fmt::format("{}", line.value->sd) : "",
-                              cells(line.value), cells(line.difference));
+  std::vector<Point> points;
+  for (const ReportLine& line : report.lines) {
+    const std::size_t terrain = place(result.terrains, line.terrain);
+    points.push_back(
+        {place(result.curves, robots ? line.robot + ", " + line.controller : line.controller),
+         over_roughness ? line.roughness : static_cast<double>(terrain), &line});
+  }
+  std::ranges::stable_sort(points, {}, [](const Point& p) { return std::pair(p.curve, p.x); });
+  // The interval of a single trial is infinite: none is drawn.
+  const auto bound = [](double limit, double value) {
+    return std::isfinite(limit) ? limit : value;
+  };
+  for (const auto& [curve, x, line] : points) {
+    const Measured m = line->value.value_or(Measured{0, kNone, kNone, kNone});
+    const statistics::Difference d = line->difference ? line->difference->difference
+                                                      : statistics::Difference{kNone, kNone, kNone};
+    result.csv.row(curve + 1, x, line->robot, line->terrain, line->roughness, line->controller,
+                   line->trials(), m.count, m.sd.value_or(kNone), m.value, bound(m.lower, m.value),
+                   bound(m.upper, m.value), d.value, bound(d.lower, d.value),
+                   bound(d.upper, d.value));
   }
   return result;
 }
 
-// Curves stand beside each other by a little, lest their intervals hide each other.
-std::string script(const Report& report, const Sheet& sheet, bool over_roughness) {
-  constexpr std::array kColours = {"ink", "accent", "left_side", "right_side", "earth", "grey"};
-  std::string text = figures::figure_preamble("report.svg", 760, 460);
-  text += fmt::format("set ylabel {} noenhanced\nset key outside right top noenhanced\n",
-                      figures::quoted(report.measure));
-  text +=
-      "set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05\nset bars 0.6\nset autoscale "
-      "xfix\n";
-  double width = 1.0;
-  if (over_roughness) {
-    text += fmt::format("set xlabel {}\n",
-                        figures::quoted("roughness of " + kind(sheet.terrains.back())));
-    const auto [least, greatest] = std::ranges::minmax_element(
-        report.lines, {}, [](const ReportLine& line) { return line.roughness; });
-    width = (greatest->roughness - least->roughness) / 60.0;
-  } else {
-    width = 0.5 / static_cast<double>(sheet.curves.size());
-    Words tics;
-    for (std::size_t i = 0; i < sheet.terrains.size(); ++i)
-      tics.push_back(fmt::format("{} {}", figures::quoted(sheet.terrains[i]), i));
-    text += fmt::format("set xtics ({}) noenhanced\n", fmt::join(tics, ", "));
-  }
+// Curves stand beside each other by a little.
+std::vector<double> shifts(const Report& report, std::size_t curves, bool over_roughness) {
+  const auto [least, greatest] = std::ranges::minmax_element(
+      report.lines, {}, [](const ReportLine& line) { return line.roughness; });
+  const double width = over_roughness ? (greatest->roughness - least->roughness) / 240.0
+                                      : 0.5 / static_cast<double>(curves);
+  std::vector<double> result;
+  for (std::size_t i = 0; i < curves; ++i)
+    result.push_back((static_cast<double>(i) - 0.5 * static_cast<double>(curves - 1)) * width);
+  return result;
+}
 
-  Words plots;
-  for (std::size_t i = 0; i < sheet.curves.size(); ++i) {
-    const Curve& curve = sheet.curves[i];
-    const double shift =
-        (static_cast<double>(i) - 0.5 * static_cast<double>(sheet.curves.size() - 1)) * width;
-    plots.push_back(fmt::format(
-        "'report.csv' every ::{}::{} using ($1+({:.6g})):9:10:11 title {} with {} lc rgb {} lw 1.6 "
-        "pt 7 ps 0.5",
-        curve.first + 1, curve.last + 1, over_roughness ? shift / 4.0 : shift,
-        figures::quoted(curve.title), over_roughness ? "yerrorlines" : "yerrorbars",
-        kColours[i % kColours.size()]));
-  }
-  return text + fmt::format("plot {}\n", fmt::join(plots, ", \\\n     "));
+std::string capital(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
 }
 
 }  // namespace
 
-void draw(const Report& report) {
+std::string report_stem(const Report& report) {
+  std::string stem = "report-" + report.measure.name;
+  if (report.compare != Compare::controllers) stem += fmt::format("-{}", to_string(report.compare));
+  return report.all_trials ? stem + "-all_trials" : stem;
+}
+
+std::string usual_headline(const Report& report) {
+  return capital(report.measure.label) + " by controller and terrain";
+}
+
+void draw(const Report& report, const std::string& headline) {
   figures::require_gnuplot();
   const bool over_roughness = one_kind(report);
   const Sheet drawn = sheet(report, over_roughness);
+  const Column& m = report.measure;
+  const std::string subtitle =
+      m.yes_no            ? "share of the trials, 95 % confidence interval after Wilson"
+      : report.all_trials ? "mean of all trials, 95 % confidence interval"
+                          : "mean of the trials that walked on, 95 % confidence interval";
+  const std::string stem = report_stem(report);
   figures::StagedFiles files(report.directory);
-  std::ofstream csv = files.create("report.csv");
-  csv << drawn.csv;
-  csv.close();
-  std::ofstream gp = files.create("report.gp");
-  gp << script(report, drawn, over_roughness);
-  gp.close();
-  for (const char* figure : {"report.svg", "report.pdf", "report.png"}) {
-    files.expect(figure);
-    figures::run_gnuplot(files.staging(), "report.gp", figure);
-  }
+  files.write(stem + ".csv", drawn.csv.text());
+  figures::draw_figure(
+      files,
+      {.stem = stem,
+       .headline = headline,
+       .subtitle = headline.empty() ? "" : subtitle,
+       .width = 1200,
+       .height = 750},
+      {{"csv", stem + ".csv"},
+       {"curves", drawn.curves},
+       {"shift", shifts(report, drawn.curves.size(), over_roughness)},
+       {"x_label", report.roughness_label},
+       {"y_label", m.unit.empty() ? m.label : fmt::format("{} [{}]", m.label, m.unit)},
+       {"over_roughness", over_roughness ? 1 : 0},
+       {"terrains", drawn.terrains},
+       {"y_from", 0},
+       {"y_to", m.yes_no ? 1 : 0}},
+      scripts::sweep::report);
   files.publish();
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 bool is_tripod(LegSet legs, int n) { return legs == first_tripod(n) || legs == second_tripod(n); }
 
-/// The slices from one kind of situations, for one T.
+/// Explores all situations of one scene, for one T.
 class Exploration {
  public:
   Exploration(Theorem& theorem, const Rules& rules, int n, int step_time, Scene scene)
@@ -43,14 +43,14 @@ class Exploration {
         start, memo_, [this](const Situation& s) { return situations_.key(s); },
         [this](const Situation& s) { return next(s); },
         [this](std::span<const Situation> cycle) { inspect(cycle); });
-    // Counted from the first slice's lifts.
+    // Counted from the lifts of the first slice.
     const int transient = std::max(0, slices - 1);
     if (transient > worst_) slowest_ = start;
     worst_ = std::max(worst_, transient);
     ++count_;
   }
 
-  /// A slice that is not as it should be leads back to where it came from: a cycle, and no tripod.
+  /// A wrong slice leads back to its start: a cycle that is not the tripod gait.
   Situation next(const Situation& before) {
     const Slice slice = slices_.advance(before);
     const auto words = [&] { return fmt::format("{} → {}", where(before), to_string(slice.next)); };
@@ -58,7 +58,7 @@ class Exploration {
     return good ? slice.next : before;
   }
 
-  /// Whole tripods in turn, T slices each.
+  /// Checks that a cycle consists of alternate whole tripods, T slices each.
   void inspect(std::span<const Situation> cycle) {
     LegSet all;
     bool whole = static_cast<int>(cycle.size()) == 2 * step_time_;
@@ -68,7 +68,7 @@ class Exploration {
       all = all | lifted;
     }
     theorem_.check(whole && all == LegSet::all(n_),
-                   [&] { return "it ends elsewhere, in " + where(cycle.front()); });
+                   [&] { return "it ends in another cycle, at " + where(cycle.front()); });
   }
 
   [[nodiscard]] std::string where(const Situation& s) const {
@@ -86,7 +86,7 @@ class Exploration {
   Situation slowest_;
 };
 
-/// All situations of so many legs are explored up to this T.
+/// Largest T up to which all situations of n legs are explored.
 int all_until(int n, const Scope& scope) {
   if (n > 8) return 0;
   return n == 8 ? std::min(scope.step_time, scope.step_time_8) : scope.step_time;

@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kLegs = 6;
 
-/// Lags that go up or down by 0.8 or 1.5 tolerances from each leg to the next on the ring, all
-/// ways: ties, orders, and ties of legs that are not tied with each other.
+/// All lags that differ by ±0.8 or ±1.5 tolerances from each leg to the next on the ring: ties,
+/// orders, and chains of ties whose ends are not tied.
 std::vector<LegArray<double>> rows_of_lags(double tolerance) {
   const std::array steps = {-1.5 * tolerance, -0.8 * tolerance, 0.8 * tolerance, 1.5 * tolerance};
   std::vector<LegArray<double>> rows;
@@ -33,16 +33,15 @@ Theorem literal_reading(const Rules& rules, const Scope&) {
   Theorem theorem;
   theorem.name = "literal_reading";
   theorem.statement =
-      "[PC04] 3.3 to the letter, relations anew in every slice and then adjusted, walks exactly as "
-      "without adjustment: the same legs step in every slice, for ever.";
+      "[PC04] 3.3 taken literally, with relations recomputed in every slice and then adjusted, "
+      "walks "
+      "exactly as without adjustment: the same legs step in every slice.";
   theorem.convention =
       "Six legs. One update of both from the same raw memory and the same feet: every raw memory, "
-      "every "
-      "set of legs in the air that keeps rule 1, lags that differ by ±0.8 or ±1.5 tolerances from "
-      "leg "
-      "to leg. The same legs may step and both remember the same, so the next feet are the same, "
-      "and so on "
-      "by induction.";
+      "every set of legs in the air that keeps rule 1, lags that differ by ±0.8 or ±1.5 tolerances "
+      "from leg to leg. The same legs may step and both remember the same, so the next feet are "
+      "the "
+      "same, and so on by induction.";
   theorem.table.columns = {"raw", "sets_in_the_air", "rows_of_lags", "adjusted_in_vain"};
 
   GaitParams literal, none;

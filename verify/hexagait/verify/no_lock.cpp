@@ -13,15 +13,15 @@ namespace {
 
 constexpr int kLegs = 6;
 
-/// All that can be in a gait state, and in raw relations: these may be cyclic, since hysteresis is
-/// not transitive.
+/// All gait states, including cyclic ones: raw relations may be cyclic, since hysteresis is not
+/// transitive.
 std::vector<GaitState> all_relations() {
   std::vector<GaitState> relations;
   for (RingBits bits = 0; bits <= ring_mask(kLegs); ++bits) relations.push_back({bits, kLegs});
   return relations;
 }
 
-/// Sets of legs with no two neighbours.
+/// Sets of legs without neighbours: those that may be in the air by rule 1.
 std::vector<LegSet> flights() {
   std::vector<LegSet> sets;
   for (std::uint32_t bits = 0; bits <= ring_mask(kLegs); ++bits)
@@ -35,7 +35,7 @@ std::string words(const LatchStep& step) {
                      to_string(step.fresh), step.urgent.bits());
 }
 
-/// By the state's bits: does its adjustment have CCN = 3, and a leg that may step?
+/// By the state's bits: does its adjustment have CCN = 3 and a leg that may step?
 std::vector<bool> lively(const Rules& rules) {
   std::vector<bool> result(1U << kLegs, false);
   for (const GaitState& state : non_cyclic_states(kLegs)) {
@@ -51,8 +51,9 @@ Theorem no_lock(const Rules& rules, const Scope&) {
   Theorem theorem;
   theorem.name = "no_lock";
   theorem.statement =
-      "Whatever was stored, whatever the raw relations were and are, the update (gait 4) ends in a "
-      "consistent state with CCN = 3 in which a leg may step: no lock, ever.";
+      "From any stored and raw relations the update (gait 4) ends in a consistent state with CCN = "
+      "3 "
+      "in which a leg may step: it never locks.";
   theorem.convention =
       "Six legs. Stored and fresh relations are not cyclic, raw ones may be. Each triple with "
       "every "
@@ -96,9 +97,9 @@ Theorem rule_1(const Rules& rules, const Scope&) {
       "headings; and when all legs stand, one may step.";
   theorem.convention =
       "Six legs. One update from every stored state, every raw memory, every order of the feet and "
-      "every set of legs in the air that keeps rule 1, of which none has just landed, or all "
-      "others "
-      "have. What may lift keeps the rule, so by induction it always holds. A foot that loses the "
+      "every set of legs in the air that keeps rule 1; of the other legs, none or all have just "
+      "landed. What may lift keeps the rule, so by induction it always holds. A foot that loses "
+      "the "
       "ground by itself is a fault, not a step.";
 
   const std::vector<GaitState> states = non_cyclic_states(kLegs), any = all_relations();

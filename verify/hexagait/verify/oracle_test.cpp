@@ -66,9 +66,9 @@ TEST(Oracle, ConvergesFromAsManySituationsAsSlowly) {
   const Theorem theorem =
       convergence({}, {.legs = {6}, .step_time = 3, .step_time_8 = 0}, [](double) {});
   for (const auto& row : theorem.table.rows) {
-    if (row[1] != Cell("all") || row[2] != Cell(std::int64_t{kStepTime})) continue;
-    EXPECT_EQ(row[3], Cell(std::int64_t{situations}));
-    EXPECT_EQ(row[4], Cell(std::int64_t{worst}));
+    if (row[1] != CaseValue("all") || row[2] != CaseValue(std::int64_t{kStepTime})) continue;
+    EXPECT_EQ(row[3], CaseValue(std::int64_t{situations}));
+    EXPECT_EQ(row[4], CaseValue(std::int64_t{worst}));
   }
   EXPECT_EQ(situations, 81'920);
   EXPECT_EQ(worst, 8);

@@ -10,35 +10,35 @@
 
 namespace hexagait::verify {
 
-using Cell = std::variant<std::int64_t, double, std::string>;
+using CaseValue = std::variant<std::int64_t, double, std::string>;
 
-/// Numbers that go with a theorem: a row of cells per case, all as long as `columns`.
-struct Table {
-  std::vector<std::string> columns;  ///< snake_case: keys in JSON, headings with spaces in text
-  std::vector<std::vector<Cell>> rows;
+/// Numbers about the cases of a theorem. Every row has a value per column.
+struct CaseTable {
+  std::vector<std::string> columns;  ///< snake_case: keys in JSON; with spaces, headings in text
+  std::vector<std::vector<CaseValue>> rows;
 
   /// Adds a row.
   template <class... Values>
   void add(const Values&... cells) {
-    std::vector<Cell>& row = rows.emplace_back();
+    std::vector<CaseValue>& row = rows.emplace_back();
     row.reserve(sizeof...(cells));
     (row.emplace_back(cells), ...);
   }
 };
 
-/// A statement about finitely many cases, of which each was tried.
+/// A statement about finitely many cases, all of which are checked.
 struct Theorem {
   std::string name;        ///< one word or two, snake_case
   std::string statement;   ///< what holds
-  std::string convention;  ///< how to read it: what counts as what
+  std::string convention;  ///< definitions that the statement and its table use
   std::int64_t cases = 0;
-  std::string counterexample;  ///< the first one; empty: the theorem holds
-  Table table;
+  std::string counterexample;  ///< the first one found; empty if the theorem holds
+  CaseTable table;
 
   [[nodiscard]] bool holds() const { return counterexample.empty(); }
 
-  /// Notes the first counter-example.
-  /// @param words  called for its description only if it is one
+  /// Records a counterexample, if it is the first.
+  /// @param words  returns its description; called only if needed
   /// @returns `is_true`
   template <class Words>
   bool check(bool is_true, const Words& words) {
@@ -47,7 +47,7 @@ struct Theorem {
   }
 };
 
-struct Report {
+struct TheoremReport {
   std::vector<Theorem> theorems;
 
   [[nodiscard]] bool holds() const { return std::ranges::all_of(theorems, &Theorem::holds); }

@@ -8,8 +8,8 @@
 
 namespace hexagait::verify {
 
-/// The functions under test: the library's own, which the walker calls. Another function in the
-/// place of one of them shows whether the theorems would notice.
+/// The functions under test, by default those of the library that the walker calls. Tests replace
+/// one of them by a faulty one to show that the theorems then fail.
 struct Rules {
   std::function<gait_state::GaitDecision(gait_state::GaitLatch&, const gait_state::GaitInput&,
                                          const gait_state::GaitParams&)>

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kTypes = "-ABCD";
 
-/// The smallest of the numbers that the bits of a state, turned round the ring, can be read as.
+/// Representative of a class up to rotation: the smallest of the rotated bit patterns.
 RingBits rotation_class(const GaitState& state) {
   RingBits smallest = state.bits, turned = state.bits;
   for (int k = 0; k < state.n; ++k) {
@@ -63,7 +63,8 @@ Theorem states(const Rules&, const Scope&) {
       return fmt::format("{} classes of CCN {} and type {}", classes, ccn, type);
     });
   }
-  theorem.check(cells.size() == 12 && theorem.cases == 62, [] { return "other cells, or more"; });
+  theorem.check(cells.size() == 12 && theorem.cases == 62,
+                [] { return "there are other cells, or more"; });
   return theorem;
 }
 

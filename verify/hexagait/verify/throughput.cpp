@@ -12,7 +12,7 @@ using namespace gait_state;
 
 namespace {
 
-/// Where the gait without adjustment ends, from all states with one CCN, for one T.
+/// Final cycles of the gait without adjustment, from all states with one CCN, for one T.
 struct Cycles {
   std::int64_t starts = 0;
   std::size_t shortest = SIZE_MAX, longest = 0;  // [slices]
@@ -67,7 +67,7 @@ Theorem throughput(const Rules& rules, const Scope& scope) {
   theorem.name = "throughput";
   theorem.statement =
       "Without adjustment, with equal step times, m = min(CCN, n - CCN) legs are in the air on "
-      "average, exactly; and unless CCN = n/2 the tripods never are.";
+      "average, exactly; and the tripod gait appears only if CCN = n/2.";
   theorem.convention =
       "Every state, every set of remaining air times 0 … T of priority legs, T = 1 up to the one "
       "given. Over the final cycle the slices in the air of all legs add up to m times its length.";

@@ -5,10 +5,10 @@
 
 namespace hexagait::verify {
 
-Report verify(const Rules& rules, const Scope& scope, const Progress& progress) {
-  Report report;
+TheoremReport verify(const Rules& rules, const Scope& scope, const Progress& progress) {
+  TheoremReport report;
   double done = 0.0;
-  // `share` of the time that all of them take, about.
+  // `share`: approximate fraction of the total time.
   const auto finish = [&](Theorem theorem, double share) {
     report.theorems.push_back(std::move(theorem));
     done += share;

@@ -21,12 +21,12 @@ Theorem quick_convergence(const Rules& rules) {
   return convergence(rules, kQuick, [](double) {});
 }
 
-std::vector<Cell> row(std::initializer_list<Cell> cells) { return cells; }
-Cell number(std::int64_t value) { return value; }
+std::vector<CaseValue> row(std::initializer_list<CaseValue> cells) { return cells; }
+CaseValue number(std::int64_t value) { return value; }
 
 TEST(Verify, FindsThatTheLibrarysRulesHoldAndTellsHowFarItHasGot) {
   double last = 0.0;
-  const Report report = verify({}, kQuick, [&](double share) {
+  const TheoremReport report = verify({}, kQuick, [&](double share) {
     EXPECT_GE(share, last);
     last = share;
   });

@@ -15,7 +15,7 @@ using namespace gait_state;
 namespace {
 
 /// Slices until the first whole tripod after which only whole tripods lift, T slices apart; −1 if
-/// that takes more than `longest`.
+/// more than `longest`.
 int until_tripods(SliceWalk walk, int n, int step_time, int longest) {
   std::vector<LegSet> lifted;
   for (int i = 0; i <= longest + 2 * step_time; ++i) lifted.push_back(walk.advance());
@@ -43,8 +43,8 @@ Theorem latched_convergence(const Rules& rules, const Scope& scope) {
       "CCN, as soon as from CCN = n/2.";
   theorem.convention =
       "Every state, every set of remaining air times 0 … T of priority legs, T = 1 up to the one "
-      "given. In the slice model: feet start in the state's order, and lags come about. Slices "
-      "until whole tripods lift and go on lifting in turn, the worst for the greatest T; bound "
+      "given. In the slice model: feet start in the state's order, and lags follow. Slices until "
+      "whole tripods lift alternately from then on, the worst for the greatest T; bound "
       "(n/2 - 1) T.";
   theorem.table.columns = {"legs", "T_up_to", "situations", "worst_slices", "bound"};
   for (const int n : scope.legs) {
@@ -81,7 +81,8 @@ struct Speeds {
   double slowest = std::numeric_limits<double>::infinity(), fastest = 0.0;
 };
 
-/// Of a walk without adjustment, when it has settled, relative to the tripod's 50 units per step.
+/// Settled speed of a walk without adjustment, relative to the 50 units per step of the tripod
+/// gait.
 double settled_speed(SliceWalk& walk) {
   constexpr int kSettling = 720, kMeasured = 360;  // whole cycles of 12, 18 and 36 slices
   for (int i = 0; i < kSettling; ++i) walk.advance();
@@ -96,13 +97,14 @@ Theorem speed(const Rules& rules, const Scope&) {
   Theorem theorem;
   theorem.name = "speed";
   theorem.statement =
-      "Without adjustment speed falls faster than m: 1/5 of the tripod gait's for m = 1, between "
-      "that and the whole for m = 2, depending on the phases of the legs.";
+      "Without adjustment speed falls faster than m: to 1/5 of the tripod gait's for m = 1; for m "
+      "= 2 "
+      "it is in between and depends on the phases of the legs.";
   theorem.convention =
-      "The slice model of [PC04] 5.1 on flat ground, six legs, T = 6, no adjustment: lags come "
-      "about. Relative to 50 units in 6 slices, over 360 slices after 720. With equal sweeps it "
-      "would be m / (6 - m).";
-  theorem.table.columns = {"CCN", "start", "situations", "slowest", "fastest", "equal_sweeps"};
+      "The slice model of [PC04] 5.1 on flat ground, six legs, T = 6, no adjustment. "
+      "Relative to 50 units in 6 slices, over 360 slices after 720. With equal strokes it would be "
+      "m / (6 - m).";
+  theorem.table.columns = {"CCN", "start", "situations", "slowest", "fastest", "equal_strokes"};
 
   std::map<std::pair<int, bool>, Speeds> table;
   const Situations situations(non_cyclic_states(kLegs), kStepTime, Scene::reachable);

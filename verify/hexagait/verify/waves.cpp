@@ -26,14 +26,15 @@ std::string least_rotation(std::string text) {
   return least;
 }
 
-/// [PC04] 3.2, for both halves of the period.
+/// State types by [PC04] 3.2, over one period.
 std::string types_of_the_paper(int step_time, int half_period) {
   if (half_period == step_time) return "DD";
   if (half_period == 2 * step_time) return "BCBC";
   return half_period < 2 * step_time ? "BCDBCD" : "ABCABC";
 }
 
-/// Legs of [PC04] Fig. 2, those that lift together joined by +, from the paper's leg 6 on.
+/// The lifts of a period, legs numbered as in [PC04] Fig. 2, simultaneous ones joined by +, from
+/// the paper's leg 6 on.
 std::string lifts_in_words(std::span<const LegSet> lifted) {
   std::string text;
   for (const LegSet legs : lifted) {
@@ -49,7 +50,7 @@ std::string lifts_in_words(std::span<const LegSet> lifted) {
   return text;
 }
 
-/// The attractor of one duty factor, and how far all situations are from it.
+/// The attractor of one duty factor, and the distance of all situations from it.
 class Lock {
  public:
   Lock(Theorem& theorem, const Rules& rules, int step_time, int half_period, int rear_edge,
@@ -106,7 +107,7 @@ class Lock {
                    [&] { return "a second attractor: " + where(cycle.front()); });
   }
 
-  /// The types of the states of a period, one letter per state, from the least letter on.
+  /// The types of the states of a period, one letter per state, starting with the least letter.
   void describe_types(std::span<const WaveSituation> cycle, std::size_t first) {
     types_.clear();
     for (std::size_t i = 0; i < cycle.size(); ++i) {
@@ -141,8 +142,9 @@ Theorem wave_gaits(const Rules& rules, const Scope& scope) {
   Theorem theorem;
   theorem.name = "wave_gaits";
   theorem.statement =
-      "Under the rear-leg rule (gait 5) every situation with CCN = 3 ends in one gait only, the "
-      "exact wave gait of the duty factor, with the state types that [PC04] 3.2 gives.";
+      "Under the rear-leg rule (gait 5) every situation with CCN = 3 converges to the exact wave "
+      "gait "
+      "of the duty factor, with the state types that [PC04] 3.2 gives.";
   theorem.convention =
       "All situations, as for convergence; T and the period 2h in slices, duty factor 1 - T/2h. "
       "Wave: a leg lifts T after the one behind it, the sides half a period apart. For every edge "
@@ -158,7 +160,7 @@ Theorem wave_gaits(const Rules& rules, const Scope& scope) {
       int worst = 0;
       std::string lifts, types;
       for (int e = 0; e < edges; ++e) {
-        // The hindmost edge last: its legs are those of the paper.
+        // The hindmost edge last, so that the table lists the lifts of the paper.
         const int rear_edge = (hindmost_edge(kLegs) + edges - 1 - e) % kLegs;
         Lock lock(theorem, rules, t, half, rear_edge, 2 * half);
         lock.from_all();
@@ -178,18 +180,20 @@ Theorem duty_factor_changes(const Rules& rules, const Scope& scope) {
   Theorem theorem;
   theorem.name = "duty_factor_changes";
   theorem.statement =
-      "The duty factor may be turned up and down at any slice: rule 1 holds, and when it is left "
-      "alone the gait locks to the wave gait again.";
+      "The duty factor may change at any slice: rule 1 holds, and once it stays constant the gait "
+      "converges to the wave gait again.";
   theorem.convention =
       "From the reachable situations with rear legs that have not lifted yet, with every duty "
-      "factor of the list in every slice: the situations that this leads to, clocks of the rear "
-      "legs included, and slices until the final cycle from each with each duty factor.";
+      "factor "
+      "of the list in every slice: all situations that result, including the clocks of the rear "
+      "legs, "
+      "and from each, with each duty factor, the slices until the final cycle.";
   theorem.table.columns = {"T", "duty_factors", "situations", "worst_slices"};
   const int t = std::min(scope.step_time, 3), longest = 6 * t;
   const Situations situations(balanced_states(kLegs), t, Scene::all);
   const WaveSlices slices(rules, kLegs, t, hindmost_edge(kLegs), longest);
 
-  // Everything that can be reached, whichever duty factor is wanted in whichever slice.
+  // All situations that any sequence of duty factors reaches.
   std::unordered_map<std::size_t, bool> seen;
   std::vector<WaveSituation> reached;
   const auto reach = [&](const WaveSituation& s) {

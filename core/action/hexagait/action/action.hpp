@@ -11,9 +11,9 @@
 
 namespace hexagait::action {
 
-// The commands of [FG16] Table I as they are written: in any frame, by targets and average rates.
-// When its step starts, a command is resolved into a motion: in odom (or in the base, for what is
-// given in the base), over time. Plain values; load_action() reads them from YAML.
+// The commands of [FG16] Table I as scripts write them: in any frame, with targets and average
+// rates. When a step starts, its commands are resolved into plans over time in odom, or in the body
+// frame if they are given there. Plain values; load_action() reads them from YAML.
 
 using hexagait::Mark;
 
@@ -24,27 +24,27 @@ struct Position {
 
 struct Direction {
   FrameId frame = kOdom;
-  Vector3 v = Vector3::UnitZ();  ///< need not be of length one
+  Vector3 v = Vector3::UnitZ();  ///< of any length
 };
 
-/// What all motions of a leg have.
+/// What all motions of a leg have in common.
 struct LegMotion {
   LegId leg = 0;
-  bool ignore_contact = false;  ///< no contact is expected at the end: the leg stays in the air
-  bool ignore_for_pose_adaptation = false;  ///< BaseAuto takes no notice of this foot
-  Direction surface_normal;                 ///< of the ground that is expected
+  bool ignore_contact = false;              ///< no contact at the end: the leg stays in the air
+  bool ignore_for_pose_adaptation = false;  ///< BaseAuto ignores this foot
+  Direction surface_normal;                 ///< of the expected ground
 };
 
-/// Lift the foot, carry it over, put it down.
+/// Lifts the foot, carries it over, puts it down. (Not the FootstepCommand of a gait generator.)
 struct Footstep : LegMotion {
   Position target;
   double profile_height = 0.08;  ///< [m]
   SwingProfile profile = SwingProfile::triangle;
   double average_velocity = 0.65;       ///< [m/s]
-  std::optional<double> duration = {};  ///< [s]; if there is one, average_velocity is not used
+  std::optional<double> duration = {};  ///< [s]; if set, average_velocity is not used
 };
 
-/// The foot to a position.
+/// Moves the foot to a position.
 struct EndEffectorTarget : LegMotion {
   Position target;
   Vector3 velocity = Vector3::Zero();      ///< at the target, in its frame [m/s]
@@ -53,40 +53,41 @@ struct EndEffectorTarget : LegMotion {
   double average_velocity = 0.3;           ///< [m/s]
 };
 
-/// The foot along a trajectory. Velocities that are not given are chosen for a smooth curve.
+/// Moves the foot along a trajectory. Velocities that are not given are chosen for a smooth curve.
 struct EndEffectorTrajectory : LegMotion {
   FrameId frame = kOdom;
   std::vector<FootKnot> knots;
 };
 
-/// What a joint command says of the joints: any of these, NaN where it says nothing.
-/// Without positions the velocities are integrated; with efforts alone the leg is driven by them.
+/// Moves the joints to a target; NaN for what is not given. Without positions the velocities are
+/// integrated; with efforts alone the leg is driven by effort.
 struct JointTarget : LegMotion {
-  JointKnot target;               ///< time is not used
-  double average_velocity = 1.0;  ///< [rad/s], of the joint that has the longest way
+  JointKnot target;               ///< its time is not used
+  double average_velocity = 1.0;  ///< of the joint with the largest motion [rad/s]
 };
 
+/// Moves the joints along a trajectory.
 struct JointTrajectory : LegMotion {
   std::vector<JointKnot> knots;
 };
 
-/// Makes a leg a support leg, or not, where it is.
+/// Makes a leg a support leg, or lifts it out of support, where it is.
 struct LegMode : LegMotion {
   bool support_leg = false;
   double duration = 0.5;  ///< [s]
 };
 
-/// The base where it is best held over the feet ([FG16] II-D).
+/// Moves the base to where it is best held over the feet ([FG16] II-D).
 struct BaseAuto {
-  std::optional<double>
-      height;  ///< above the mean of the feet [m]; none: that of the last BaseAuto
+  /// Above the mean height of the feet [m]; without one, that of the previous BaseAuto.
+  std::optional<double> height;
   bool ignore_timing_of_leg_motion = false;
   double average_linear_velocity = 0.2;    ///< [m/s]
   double average_angular_velocity = 0.28;  ///< [rad/s]
   double support_margin = 0.04;            ///< [m]
 };
 
-/// The base to a pose.
+/// Moves the base to a pose.
 struct BaseTarget {
   FrameId frame = kOdom;
   Pose X_AB;
@@ -95,21 +96,21 @@ struct BaseTarget {
   double average_angular_velocity = 0.1;  ///< [rad/s]
 };
 
-/// The base along a trajectory.
+/// Moves the base along a trajectory.
 struct BaseTrajectory {
   FrameId frame = kOdom;
   std::vector<BaseKnot> knots;
 };
 
-/// Something that the program does itself: handed to the handler registered for `type`.
+/// A command for the program itself: passed to the handler registered for `type`.
 struct CustomCommand {
   int handler = 0;  ///< index of the type among those registered
   std::string type;
   double duration = 0.0;  ///< [s]
-  std::string command;    ///< YAML text of one line, references and placeholders resolved
+  std::string command;    ///< one line of YAML, references and placeholders resolved
 };
 
-/// Do nothing for a while.
+/// Waits.
 struct Wait {
   double duration = 0.0;  ///< [s]
 };
@@ -131,35 +132,35 @@ struct Step {
   std::vector<LegCommand> legs;  ///< at most one per leg
   std::optional<BaseCommand> base;
   std::vector<CustomCommand> custom;
-  Wait wait;  ///< the step lasts at least so long
+  Wait wait;  ///< least duration of the step
   Mark mark;
 };
 
-/// Commands given in `source` are meant in `target`: when the action starts,
-/// X_TA = X_TS · X_S · X_SA, with X_TS of that moment.
+/// Commands given in frame `source` are fixed to frame `target` when the action starts:
+/// X_TA = X_TS · X_S · X_SA, with X_TS at that time.
 struct Adaptation {
   FrameId source = kFootprint;
-  FrameId target = kOdom;  ///< not the source
+  FrameId target = kOdom;  ///< not `source`
   Pose X_S;                ///< transform in the source frame
-  bool yaw_only = false;   ///< of X_TS only the yaw and the position
+  bool yaw_only = false;   ///< only yaw and position of X_TS are used
 };
 
-/// Steps that are carried out one after the other.
+/// Steps that are executed one after the other.
 struct Action {
-  std::string id;      ///< a name for people
-  std::string source;  ///< file it was read from
+  std::string id;      ///< name
+  std::string source;  ///< file from which it was read
   std::vector<Adaptation> adapt_coordinates;
   std::vector<Step> steps;
 };
 
-/// What every command of a leg has. Unlike std::visit it never throws: ticks use it.
+/// The LegMotion of any command. Unlike std::visit it cannot throw, so ticks can use it.
 [[nodiscard]] inline const LegMotion& leg_motion(const LegCommand& command) noexcept {
-  const LegMotion* found = nullptr;
-  const auto look = [&found]<class... Motion>(const std::variant<Motion...>& motion) noexcept {
+  const auto base = []<class... Motion>(const std::variant<Motion...>& motion) noexcept {
+    const LegMotion* found = nullptr;
     ((found = found ? found : std::get_if<Motion>(&motion)), ...);
+    return found;
   };
-  look(command.motion);
-  return *found;
+  return *base(command.motion);
 }
 
 }  // namespace hexagait::action

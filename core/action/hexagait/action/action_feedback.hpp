@@ -9,10 +9,10 @@ namespace hexagait {
 
 enum class ActionStatus : std::uint8_t {
   idle,       ///< no action
-  executing,  ///< a step is under way
+  executing,  ///< a step is being executed
   paused,     ///< by pause()
   regaining,  ///< a support leg has lost the ground and searches for it; everything else waits
-  stopping,   ///< the action has ended; what is in the air and is to stand goes down
+  stopping,   ///< the action has ended; feet in the air are lowered to the ground
 };
 
 enum class Outcome : std::uint8_t { none, succeeded, preempted, failed };
@@ -20,28 +20,28 @@ enum class Outcome : std::uint8_t { none, succeeded, preempted, failed };
 /// Why an action failed.
 enum class Cause : std::uint8_t {
   none,
-  no_contact,    ///< a foot found no ground as far as its leg reaches, or in time
+  no_contact,    ///< a foot found no ground within its leg's reach, or in time
   lost_contact,  ///< a support leg lost the ground and did not find it again
-  out_of_reach,  ///< a foot or the base is to go where the legs don't reach
-  unstable,      ///< the legs that would stand in the step don't carry the centre of mass
-  plant,         ///< the robot fell silent, sent nonsense or was stopped
+  out_of_reach,  ///< a foot or the base should go where the legs cannot reach
+  unstable,      ///< the centre of mass would be outside the support polygon of the step
+  plant,         ///< the plant has a Fault
 };
 
 [[nodiscard]] const char* to_string(ActionStatus status) noexcept;
 [[nodiscard]] const char* to_string(Outcome outcome) noexcept;
 [[nodiscard]] const char* to_string(Cause cause) noexcept;
 
-/// How far an action is, every tick. Of fixed size.
+/// The progress of an action, every tick. Of fixed size.
 struct ActionFeedback {
-  std::uint64_t action = 0;  ///< number of the action, from 1 in the order of their start
-  int step = 0;              ///< under way, from 1; 0: none
-  int steps = 0;             ///< of the action
-  int queue = 0;             ///< steps still to come after this one
+  std::uint64_t action = 0;  ///< number of the action, counted from 1
+  int step = 0;              ///< present step, from 1; 0: none
+  int steps = 0;             ///< number of steps of the action
+  int queue = 0;             ///< steps after this one
   ActionStatus status = ActionStatus::idle;
-  const char* description = "";  ///< for people: "Regaining contact"; a literal
-  double duration = 0.0;         ///< of the step, as planned [s]
-  double phase = 0.0;            ///< 0 … 1 of that
-  LegSet moving;                 ///< legs that have a motion in this step
+  const char* description = "";  ///< status text, for example "Regaining contact"; a literal
+  double duration = 0.0;         ///< planned duration of the step [s]
+  double phase = 0.0;            ///< progress of the step, 0 … 1
+  LegSet moving;                 ///< legs with a motion in this step
 };
 
 /// How an action ended.
@@ -49,8 +49,8 @@ struct ActionResult {
   std::uint64_t action = 0;  ///< its number; 0: none has ended
   Outcome outcome = Outcome::none;
   Cause cause = Cause::none;
-  int step = 0;    ///< in which it ended, from 1
-  LegId leg = -1;  ///< that caused it; -1: none
+  int step = 0;    ///< step in which it ended, from 1
+  LegId leg = -1;  ///< leg that caused the failure; -1: none
 };
 
 }  // namespace hexagait

@@ -15,7 +15,7 @@ Pose footprint(const RobotState& state) {
   return {rotation_z(std::atan2(R(1, 0), R(0, 0))), centre / state.print_O.size()};
 }
 
-// Of the frames that need no parent.
+// Poses of the built-in frames.
 Pose fixed_frame(FrameId frame, const Frames& frames, const RobotState& state) {
   switch (frame) {
     case kMap:
@@ -34,10 +34,10 @@ Pose fixed_frame(FrameId frame, const Frames& frames, const RobotState& state) {
 FrameNames::FrameNames() : names_{"odom", "map", "base", "footprint"} {}
 
 FrameId FrameNames::add(std::string name) {
-  if (find(name)) throw InvalidInput("frame \"" + name + "\": there is one of this name already");
+  if (find(name)) throw InvalidInput("frame \"" + name + "\": the name is already taken");
   if (names_.size() == kMaxFrames)
     throw InvalidInput("frame \"" + name + "\": there are " + std::to_string(kMaxFrames) +
-                       " frames already, and that is as many as there may be");
+                       " frames already, the maximum");
   names_.push_back(std::move(name));
   return static_cast<FrameId>(names_.size() - 1);
 }

@@ -6,25 +6,25 @@
 
 namespace hexagait {
 
-/// The frame in which something is executed, and where the frame it was given in is in that one.
+/// The frame P in which a motion is executed, and the pose in it of the frame A of its command.
 struct Placement {
-  bool in_body = false;  ///< else in odom
+  bool in_body = false;  ///< P is the body frame, otherwise odom
   Pose X_PA;
 };
 
-/// Where the frames of an action are. Those that the action adapts were fixed to their target frame
-/// when it started; all others are taken as they are at the moment of the call ([FG16] III-C:
-/// "right before the execution").
+/// The poses of the frames of an action. Frames that the action adapts are fixed to their target
+/// frame when it starts; all others have their pose at the time of the call ([FG16] III-C: "right
+/// before the execution").
 class StepFrames {
  public:
-  /// Fixes the adapted frames of an action that starts now.
+  /// Starts an action: fixes its adapted frames.
   void start(const action::Action& action, const Frames& frames, const RobotState& state) noexcept;
 
-  /// What is given in the body, or in a frame fixed to it, is executed there and moves along.
+  /// Commands given in the body frame, or in one fixed to it, are executed there.
   [[nodiscard]] Placement place(FrameId frame, const Frames& frames,
                                 const RobotState& state) const noexcept;
 
-  /// X_OA now, for what is executed in odom in any case.
+  /// X_OA, for motions that are executed in odom in any case.
   [[nodiscard]] Pose in_odom(FrameId frame, const Frames& frames,
                              const RobotState& state) const noexcept;
 

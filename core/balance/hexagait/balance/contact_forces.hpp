@@ -4,45 +4,54 @@
 
 #include <hexagait/math/geometry.hpp>
 #include <hexagait/math/leg.hpp>
+#include <hexagait/math/quadratic_program.hpp>
 
 namespace hexagait {
 
-/// Force and moment about the origin of the body, axes of the body.
+/// Force and moment about the body's origin, axes of the body.
 struct Wrench {
   Vector3 force = Vector3::Zero();   ///< [N]
   Vector3 moment = Vector3::Zero();  ///< [N m]
 };
 
 struct ContactForceParams {
-  /// Of foot and ground. Larger than true: feet slip; smaller: less sideways force can be had.
+  /// Coefficient between foot and ground. Larger than the true one: feet slip; smaller: less
+  /// horizontal force is available.
   double friction = 0.6;
   double min_normal = 0.0;    ///< of a fully loaded foot [N]
   double max_normal = 600.0;  ///< of a fully loaded foot [N]
-  /// Price of force on a fully loaded foot, relative to that of wrench error. Larger: the wrench is
-  /// met less exactly; smaller: rounding. Must be positive.
-  double price = 1e-6;
-  double moment_arm = 0.4;  ///< a moment weighs like a force on this arm [m]
+  /// Weight of the squared force on a fully loaded foot against the squared wrench error. Larger:
+  /// the wrench is met less exactly; smaller: the program becomes ill-conditioned. Positive.
+  double regularisation = 1e-6;
+  double moment_arm = 0.4;  ///< a moment counts as a force on this lever arm [m]
 };
 
 struct ContactForceProblem {
-  Wrench wrench;               ///< what the ground is to do to the robot
+  Wrench wrench;               ///< desired, of the ground on the robot
   LegArray<Vector3> p_BF;      ///< feet, body frame [m]
-  LegArray<Vector3> normal_B;  ///< of the surface at each foot, out of the ground, unit vectors
-  LegArray<double> share;      ///< 0 for a leg in the air … 1 for one that carries fully
+  LegArray<Vector3> normal_B;  ///< of the ground at each foot, outwards, unit vectors
+  LegArray<double> load;       ///< fraction of its load that each leg carries, 0 in the air … 1
 };
 
-/// Forces of the ground on the feet that come nearest to a wrench:
+/// The result of contact_forces().
+struct ContactForces {
+  LegArray<Vector3> force;             ///< of the ground on each foot, body frame [N]
+  QpStatus status = QpStatus::solved;  ///< of (force 1); forces are 0 if it is not_convex
+};
+
+/// The forces of the ground on the feet that come nearest to a wrench. With λ the regularisation
+/// and w_i the load of leg i:
 ///
-///     min |Σ F_i − F|² + |Σ p_i × F_i − M|² / arm² + price Σ |F_i|² / share_i         (force 1)
-///     share_i min_normal ≤ n_i · F_i ≤ share_i max_normal
+///     min |Σ F_i − F|² + |Σ p_i × F_i − M|² / arm² + λ Σ |F_i|² / w_i                 (force 1)
+///     w_i min_normal ≤ n_i · F_i ≤ w_i max_normal
 ///     |t_i · F_i| ≤ friction / √2 · n_i · F_i      for two tangents t_i                (force 2)
 ///
-/// The pyramid (force 2) is inside the friction cone. A force is continuous in everything, and at
-/// most share_i max_normal along its normal: it fades as its leg is unloaded.
+/// The pyramid (force 2) lies within the friction cone. Forces are continuous in all inputs, and
+/// that of a leg fades to 0 as it is unloaded.
 ///
-/// @returns forces in the body frame [N]; 0 for legs without share
+/// @returns forces, 0 for legs without load, and whether the program was solved
 /// @see [FG16] IV: "an optimization based contact force distribution"
-[[nodiscard]] LegArray<Vector3> contact_forces(const ContactForceProblem& problem,
-                                               const ContactForceParams& params) noexcept;
+[[nodiscard]] ContactForces contact_forces(const ContactForceProblem& problem,
+                                           const ContactForceParams& params) noexcept;
 
 }  // namespace hexagait

@@ -6,13 +6,13 @@
 namespace hexagait {
 namespace {
 
-// Keeps the moments soluble for one or two feet (they then share the weight alone) [m²].
+// Regularises the moments of one or two feet, which then share the weight [m²].
 constexpr double kRegularisation = 1e-6;
 
 }  // namespace
 
 LegArray<double> shared_load(const LegArray<Vector3>& p_F, const Vector3& p_M,
-                             const LegArray<double>& share, double weight) noexcept {
+                             const LegArray<double>& load, double weight) noexcept {
   const int n = p_F.size();
   LegArray<double> force(n, 0.0);
 
@@ -20,23 +20,24 @@ LegArray<double> shared_load(const LegArray<Vector3>& p_F, const Vector3& p_M,
   double w = 0.0, wx = 0.0, wy = 0.0, wxx = kRegularisation, wxy = 0.0, wyy = kRegularisation;
   for (LegId i = 0; i < n; ++i) {
     const double x = p_F[i].x() - p_M.x(), y = p_F[i].y() - p_M.y();
-    w += share[i];
-    wx += share[i] * x;
-    wy += share[i] * y;
-    wxx += share[i] * x * x;
-    wxy += share[i] * x * y;
-    wyy += share[i] * y * y;
+    w += load[i];
+    wx += load[i] * x;
+    wy += load[i] * y;
+    wxx += load[i] * x * x;
+    wxy += load[i] * x * y;
+    wyy += load[i] * y * y;
   }
   if (w <= 0.0) return force;
 
-  // Their right side is (W, 0, 0): the solution is along the first column of the adjugate.
+  // Their right-hand side is (W, 0, 0), so the solution is proportional to the first column of the
+  // adjugate.
   const double a = wxx * wyy - wxy * wxy, b = wxy * wy - wx * wyy, c = wx * wxy - wxx * wy;
 
-  // No foot can pull: drop what is negative and scale the rest to the weight.
+  // Feet cannot pull: set negative forces to 0 and scale the rest to the weight.
   double sum = 0.0;
   for (LegId i = 0; i < n; ++i) {
     const double x = p_F[i].x() - p_M.x(), y = p_F[i].y() - p_M.y();
-    force[i] = std::max(0.0, share[i] * (a + b * x + c * y));
+    force[i] = std::max(0.0, load[i] * (a + b * x + c * y));
     sum += force[i];
   }
   const double scale = sum > 0.0 ? weight / sum : 0.0;

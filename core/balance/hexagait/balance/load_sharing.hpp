@@ -7,7 +7,8 @@
 
 namespace hexagait {
 
-/// How the supporting feet share the robot's weight: the vertical forces of least weighted square
+/// How the supporting feet share the robot's weight: the vertical forces that minimise the weighted
+/// sum of squares
 ///
 ///     min Σ F_i² / w_i   subject to   Σ F_i = W,  Σ F_i p_i = W p_M        (in the plane)
 ///
@@ -17,11 +18,11 @@ namespace hexagait {
 ///
 /// @param p_F     feet [m]; only x and y matter
 /// @param p_M     centre of mass, same frame [m]
-/// @param share   w_i in [0, 1], 0 for a leg in the air
+/// @param load    w_i in [0, 1]: fraction of its load that each leg carries, 0 for a leg in the air
 /// @param weight  W = m g [N]
-/// @returns F_i ≥ 0 [N]; if the centre of mass is outside the feet, or fewer than three carry, the
-///          nearest distribution without pulling feet
+/// @returns F_i ≥ 0 [N]; if the centre of mass is outside the support polygon, or fewer than three
+///          feet carry load, negative forces are set to 0 and the rest scaled to sum to W
 [[nodiscard]] LegArray<double> shared_load(const LegArray<Vector3>& p_F, const Vector3& p_M,
-                                           const LegArray<double>& share, double weight) noexcept;
+                                           const LegArray<double>& load, double weight) noexcept;
 
 }  // namespace hexagait

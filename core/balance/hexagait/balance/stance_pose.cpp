@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <hexagait/balance/detail/support_room.hpp>
+#include <hexagait/balance/detail/stable_region.hpp>
 #include <hexagait/balance/stance_pose.hpp>
 #include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/math/quadratic_program.hpp>
@@ -12,17 +12,17 @@ namespace {
 
 using Vector6 = PoseProgram::Vector;
 
-constexpr int kMaxIterations = 16;   // of a descent
-constexpr int kMaxDescents = 4;      // each after one more leg was given up
-constexpr double kConverged = 1e-6;  // step [m], [rad]
-constexpr double kMaxTurn = 0.5;     // of a step [rad]
-constexpr double kDamping = 1e-7;    // of H: keeps what the feet leave open where it is
-constexpr double kNear = 0.15;       // limits farther than this are not looked at [m], [rad]
-constexpr double kFarAway = 1e6;     // feet are clipped here, so that squares stay finite [m]
+constexpr int kMaxIterations = 16;   // per descent
+constexpr int kMaxDescents = 4;      // each without one more leg
+constexpr double kConverged = 1e-6;  // size of the last step [m], [rad]
+constexpr double kMaxTurn = 0.5;     // rotation in one step [rad]
+constexpr double kDamping = 1e-7;    // of H: keeps what the feet do not determine
+constexpr double kNear = 0.15;       // limits farther away are left out [m], [rad]
+constexpr double kFarAway = 1e6;     // feet are clamped to this, so that squares stay finite [m]
 
-/// The base by its centre of mass, from where the search began, axes of odom.
+/// The pose of the base, by its centre of mass M. Origin: the base before the search; axes of odom.
 struct Iterate {
-  Vector3 c;  ///< of M [m]
+  Vector3 c;  ///< position of M [m]
   Matrix3 R;  ///< R_OB
 };
 
@@ -35,10 +35,11 @@ void for_each(LegSet legs, F f) {
 struct Stance {
   const RobotModel& model;
   LegSet reach;
-  LegArray<Vector3> p_F;   ///< feet, from where the search began, axes of odom [m]
-  LegArray<Vector3> p_MN;  ///< nominal feet from the centre of mass, axes of the base [m]
-  SupportRoom room;
+  LegArray<Vector3> p_F;   ///< feet; origin and axes as in Iterate [m]
+  LegArray<Vector3> p_MN;  ///< nominal feet relative to M, axes of the base [m]
+  StableRegion region;
 
+  /// Foot relative to M, axes of the base [m].
   Vector3 foot(const Iterate& at, LegId leg) const { return at.R.transpose() * (p_F[leg] - at.c); }
 };
 
@@ -52,13 +53,13 @@ Stance stance_of(const RobotModel& model, const StanceProblem& problem) {
     stance.p_MN[i] = Vector3(p_BC.x(), p_BC.y(), -problem.height) - model.p_BM;
   }
   const LegSet support = problem.support & LegSet::all(n);
-  stance.room = support_room(support_polygon(stance.p_F, support), problem.margin);
+  stance.region = stable_region(support_polygon(stance.p_F, support), problem.margin);
   return stance;
 }
 
 double yaw_of(const Matrix3& R) { return std::atan2(R(1, 0), R(0, 0)); }
 
-// Turns the base back where it leans over too far.
+// Limits the tilt to kMaxTilt.
 Matrix3 upright(const Matrix3& R) {
   const Vector3 z = R.col(2);
   if (z.z() >= std::cos(kMaxTilt)) return R;
@@ -67,7 +68,7 @@ Matrix3 upright(const Matrix3& R) {
   return orthonormalised(rotation(axis * (tilt - kMaxTilt)) * R);
 }
 
-// The best level pose, in closed form: centroids upon one another, yaw by the mean of the feet.
+// The best level pose, in closed form: it aligns the centroids and the mean direction of the feet.
 Iterate level_guess(const Stance& stance, const Pose& X_OB, LegSet given_up) {
   const LegSet legs = without(stance.reach, given_up);
   if (legs.empty()) return {X_OB.R * stance.model.p_BM, upright(X_OB.R)};
@@ -101,18 +102,14 @@ double objective(const Stance& stance, const Iterate& at) {
   return sum;
 }
 
-Matrix3 cross_matrix(const Vector3& v) {
-  return (Matrix3() << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0).finished();
-}
-
-// (stance 1) to second order in a shift d of M (axes of the base) and a turn θ, f the feet from M,
-// e = f − n, g = W e:
+// (stance 1) to second order in a displacement d of M and a rotation θ (axes of the base). f are
+// the feet relative to M, e = f − n, g = W e:
 //
 //     f' = exp(−θ) (f − d) ≈ f − d + f×θ + θ×d + ½ θ×(θ×f)
 //     ½ Σ (f' − n)ᵀ W (f' − n) ≈ … − d·Σ g + θ·Σ g×f + ½ Σ (d − f×θ)ᵀ W (d − f×θ)
 //                                + Σ d·(g×θ) + ½ Σ θᵀ (½ (g fᵀ + f gᵀ) − g·f) θ
 //
-// Without the last line it is Gauss and Newton's: never concave.
+// Without the last line it is the Gauss-Newton approximation, which is never concave.
 void set_objective(PoseProgram& program, const Stance& stance, const Iterate& at, bool exact) {
   program.g.setZero();
   program.H.setZero();
@@ -135,7 +132,7 @@ void set_objective(PoseProgram& program, const Stance& stance, const Iterate& at
   program.H.diagonal().array() += scale;
 }
 
-/// The rows of the program, and whose limit each one is.
+/// The constraints of the program, and the leg whose limit each one is; −1 for the base.
 struct Rows {
   PoseProgram& program;
   std::array<LegId, 88> owner{};
@@ -153,17 +150,17 @@ struct Rows {
     }
     return legs;
   }
-  // gradientᵀ f' ≤ gradientᵀ f + room, for a gradient by the foot f.
-  void add_limit(const Vector3& gradient_B, const Vector3& f, double room, LegId leg) {
-    if (room > kNear) return;
-    add((Vector6() << -gradient_B, gradient_B.cross(f)).finished(), room, leg);
+  // Adds gradientᵀ f' ≤ gradientᵀ f + slack for the foot f, unless the limit is far away.
+  void add_limit(const Vector3& gradient_B, const Vector3& f, double slack, LegId leg) {
+    if (slack > kNear) return;
+    add((Vector6() << -gradient_B, gradient_B.cross(f)).finished(), slack, leg);
   }
 };
 
-// (stance 2) and the tilt.
+// (stance 2) and the limit of the tilt.
 void add_stability(Rows& rows, const Stance& stance, const Iterate& at) {
-  for (int j = 0; j < stance.room.size; ++j) {
-    const HalfPlane& edge = stance.room.edges[static_cast<std::size_t>(j)];
+  for (int j = 0; j < stance.region.size; ++j) {
+    const HalfPlane& edge = stance.region.edges[static_cast<std::size_t>(j)];
     const Vector3 normal_B =
         at.R.row(0).transpose() * edge.normal.x() + at.R.row(1).transpose() * edge.normal.y();
     rows.add((Vector6() << normal_B, Vector3::Zero()).finished(),
@@ -171,14 +168,14 @@ void add_stability(Rows& rows, const Stance& stance, const Iterate& at) {
   }
   const Vector3 up_B = at.R.row(2);
   const double s = std::sqrt(up_B.x() * up_B.x() + up_B.y() * up_B.y()),
-               room = std::sin(kMaxTilt) - s;
-  if (room > 0.3 || s == 0.0) return;
+               slack = std::sin(kMaxTilt) - s;
+  if (slack > 0.3 || s == 0.0) return;
   const Vector3 lean_B(up_B.x() / s, up_B.y() / s, 0.0);
-  rows.add((Vector6() << Vector3::Zero(), lean_B.cross(up_B)).finished(), room, -1);
+  rows.add((Vector6() << Vector3::Zero(), lean_B.cross(up_B)).finished(), slack, -1);
 }
 
-/// Legs that were seen far from all limits, and how far their feet may move until one comes near:
-/// so long they need not be looked at again. Inverse kinematics is most of the work.
+/// Legs that were found far from all limits, with the distance that their feet may move before they
+/// are checked again. Saves inverse kinematics, which is most of the work.
 struct Clear {
   std::array<Vector3, kMaxLegs> f;
   std::array<double, kMaxLegs> radius{};  ///< [m]
@@ -192,16 +189,23 @@ struct Clear {
     radius[static_cast<std::size_t>(leg)] = new_radius;
   }
 
-  /// Where a serial leg was last seen to end: it reached `reached`, outwards of which is `normal`.
+  /// The end of a serial leg's reach: the foot got to `reached`; `normal` points outwards.
   struct End {
     Vector3 normal = Vector3::Zero(), reached = Vector3::Zero();
   };
   std::array<End, kMaxLegs> ends;
 };
 
-// What a serial leg allows: the reach and, where it was seen to end, the plane across what was
-// missing. Whatever ends it, limits or a straight leg, the minimum is found from one plane to the
-// next.
+// The two ends of a leg's reach, for its foot f at a distance along a unit vector.
+void add_reach(Rows& rows, const LegModel& leg, LegId i, const Vector3& f, double distance,
+               const Vector3& direction_B) {
+  rows.add_limit(direction_B, f, leg.max_reach - kReachClearance - distance, i);
+  rows.add_limit(-direction_B, f, distance - leg.min_reach - kReachClearance, i);
+}
+
+// The limits of a serial leg: its reach and, where inverse kinematics failed to reach the foot, the
+// plane across the missing distance. Whatever ends the reach, joint limits or a straight leg, the
+// minimum is found from one plane to the next.
 void add_serial_leg(Rows& rows, const Stance& stance, const Iterate& at, LegId i, Clear& clear) {
   const LegModel& leg = stance.model.legs[i];
   const Vector3 f = stance.foot(at, i), p_BF = f + stance.model.p_BM;
@@ -209,73 +213,82 @@ void add_serial_leg(Rows& rows, const Stance& stance, const Iterate& at, LegId i
   const int rows_before = rows.program.size;
 
   const double d = (p_BF - leg.X_BH.p).norm();
-  if (d > 0.0) {
-    const Vector3 stretch_B = (p_BF - leg.X_BH.p) / d;
-    rows.add_limit(stretch_B, f, leg.max_reach - kReachClearance - d, i);
-    rows.add_limit(-stretch_B, f, d - leg.min_reach - kReachClearance, i);
-  }
+  if (d > 0.0) add_reach(rows, leg, i, f, d, (p_BF - leg.X_BH.p) / d);
   Clear::End& end = clear.ends[static_cast<std::size_t>(i)];
   const Vector3 reached = foot_position(leg, solution.trig) - stance.model.p_BM;
   if (!solution.reachable) end = {(f - reached).normalized(), reached};
   if (!end.normal.isZero())
     rows.add_limit(end.normal, f, end.normal.dot(end.reached - f) - kReachClearance, i);
 
-  // How fast joints turn as the foot moves, and how far they may.
-  double room = kNear;
+  // How far the joints may turn, and how fast they do as the foot moves.
+  double slack = kNear;
   for (int k = 0; k < leg.num_joints(); ++k)
-    room =
-        std::min({room, solution.q[k] - leg.limits[k].lower, leg.limits[k].upper - solution.q[k]});
+    slack =
+        std::min({slack, solution.q[k] - leg.limits[k].lower, leg.limits[k].upper - solution.q[k]});
   const LegJacobian J = foot_jacobian(leg, solution.trig);
   const Matrix3 JJ = J * J.transpose() + 1e-12 * Matrix3::Identity();
   const double rate = std::max(1.0, std::sqrt(JJ.inverse().trace()));
-  const bool is_clear = solution.reachable && room >= kNear && rows.program.size == rows_before;
+  const bool is_clear = solution.reachable && slack >= kNear && rows.program.size == rows_before;
   clear.note(i, f, is_clear ? 0.5 * kNear / rate : 0.0);
 }
 
-// What one leg allows: the reach, and yaw and hip, whose change with the foot is the inverse of
-// foot_jacobian()'s, row by row. From where inverse_kinematics() gets to, if that is not the foot.
-void add_leg(Rows& rows, const Stance& stance, const Iterate& at, LegId i, Clear& clear) {
+// Both limits of a joint of a yaw-pitch-pitch leg, linearised.
+// @param turn_H  gradient of the canonical angle with respect to the foot, hip frame [rad/m]
+// @param excess  canonical angle still missing where inverse kinematics did not reach the foot
+//                [rad]
+void add_joint(Rows& rows, const LegModel& leg, LegId i, const Vector3& f, int joint, double q,
+               const Vector3& turn_H, double excess) {
+  const JointLimits& limits = leg.limits[joint];
+  if (limits.upper - limits.lower >= 2.0 * std::numbers::pi - 1e-9) return;
+  const double sign = leg.joint_sign[joint], wanted = q + sign * excess;
+  const Vector3 turn_B = sign * (leg.X_BH.R * turn_H);
+  rows.add_limit(turn_B, f, limits.upper - kJointClearance - wanted, i);
+  rows.add_limit(-turn_B, f, wanted - limits.lower - kJointClearance, i);
+}
+
+// The limits of a yaw-pitch-pitch leg: its reach, and yaw and hip, whose gradients are rows of the
+// inverse of foot_jacobian().
+void add_yaw_pitch_pitch_leg(Rows& rows, const Stance& stance, const Iterate& at, LegId i,
+                             Clear& clear) {
   const LegModel& leg = stance.model.legs[i];
   const Vector3 f = stance.foot(at, i);
-  if (clear.still(i, f)) return;
-  if (leg.kind == LegKind::serial) return add_serial_leg(rows, stance, at, i, clear);
   const int rows_before = rows.program.size;
   const LegSolution solution = inverse_kinematics(leg, f + stance.model.p_BM);
   const LegTrig& t = solution.trig;
   const Vector3 p_H = leg.X_BH.R.transpose() * (f + stance.model.p_BM - leg.X_BH.p);
 
-  // The foot in the leg's plane, and beside it.
+  // The foot in the leg's plane: r from the yaw axis, a from the hip-pitch axis.
   const Vector3 out_H(t.c[0], t.s[0], 0.0), left_H(-t.s[0], t.c[0], 0.0);
   const double r = out_H.dot(p_H), a = r - leg.coxa;
   const double d = std::sqrt(a * a + p_H.z() * p_H.z());
-  if (d > 0.0) {
-    const Vector3 stretch_B = leg.X_BH.R * ((a / d) * out_H + (p_H.z() / d) * Vector3::UnitZ());
-    rows.add_limit(stretch_B, f, leg.max_reach - kReachClearance - d, i);
-    rows.add_limit(-stretch_B, f, d - leg.min_reach - kReachClearance, i);
-  }
+  if (d > 0.0)
+    add_reach(rows, leg, i, f, d,
+              leg.X_BH.R * ((a / d) * out_H + (p_H.z() / d) * Vector3::UnitZ()));
 
-  const auto add_joint = [&](int joint, const Vector3& turn_H, double excess) {
-    const JointLimits& limits = leg.limits[joint];
-    if (limits.upper - limits.lower >= 2.0 * std::numbers::pi - 1e-9) return;
-    const double sign = leg.joint_sign[joint], q = solution.q[joint] + sign * excess;
-    const Vector3 turn_B = sign * (leg.X_BH.R * turn_H);
-    rows.add_limit(turn_B, f, limits.upper - kJointClearance - q, i);
-    rows.add_limit(-turn_B, f, q - limits.lower - kJointClearance, i);
-  };
-  if (std::abs(r) > kReachClearance) add_joint(0, left_H / r, left_H.dot(p_H) / r);
+  if (std::abs(r) > kReachClearance)
+    add_joint(rows, leg, i, f, 0, solution.q[0], left_H / r, left_H.dot(p_H) / r);
+
   const double shin_r = leg.tibia * t.c[2], shin_h = -leg.tibia * t.s[2];
   const double reached_a = leg.femur * t.c[1] + shin_r, reached_h = -leg.femur * t.s[1] + shin_h;
   const double det = shin_h * reached_a - reached_h * shin_r;
   if (std::abs(det) < 1e-9) return;
   const Vector3 turn_H = (-shin_r / det) * out_H + (-shin_h / det) * Vector3::UnitZ();
-  add_joint(1, turn_H, (-shin_r * (a - reached_a) - shin_h * (p_H.z() - reached_h)) / det);
-  // No limit is nearer than kNear; half of that, as these rates are those of one place.
+  add_joint(rows, leg, i, f, 1, solution.q[1], turn_H,
+            (-shin_r * (a - reached_a) - shin_h * (p_H.z() - reached_h)) / det);
+
+  // All limits are farther away than kNear; half of that, as these gradients hold only here.
   const double rate = std::max({1.0, 1.0 / std::abs(r), leg.tibia / std::abs(det)});
   const bool is_clear = solution.reachable && rows.program.size == rows_before;
   clear.note(i, f, is_clear ? 0.5 * kNear / rate : 0.0);
 }
 
-// Of some legs, the one whose foot is farthest from its place; −1 of none.
+void add_leg(Rows& rows, const Stance& stance, const Iterate& at, LegId i, Clear& clear) {
+  if (clear.still(i, stance.foot(at, i))) return;
+  const bool serial = stance.model.legs[i].kind == LegKind::serial;
+  (serial ? add_serial_leg : add_yaw_pitch_pitch_leg)(rows, stance, at, i, clear);
+}
+
+// The leg whose foot is farthest from its nominal position; −1 if there are no legs.
 LegId farthest(LegSet legs, const Stance& stance, const Iterate& at) {
   LegId found = -1;
   double most = -1.0;
@@ -286,8 +299,8 @@ LegId farthest(LegSet legs, const Stance& stance, const Iterate& at) {
   return found;
 }
 
-// The step to the minimum of the quadratic model, subject to the limits of `legs`. Where these
-// contradict the rest, the limits of one leg after the other are left out of this step.
+// The step to the minimum of the quadratic model, subject to the limits of `legs`. As long as these
+// are infeasible, the limits of one leg after the other are left out of this step.
 Vector6 newton_step(const Stance& stance, const Iterate& at, LegSet legs, Clear& clear) {
   PoseProgram program;
   Rows rows{program};
@@ -310,14 +323,14 @@ Vector6 newton_step(const Stance& stance, const Iterate& at, LegSet legs, Clear&
   return Vector6::Zero();
 }
 
-// M goes all of the way, so that it is within its room; the turn is limited.
+// M takes the whole step, so that (stance 2) holds; the rotation is limited.
 Iterate stepped(const Iterate& at, const Vector6& step) {
   const Vector3 turn = step.tail<3>();
   const double scale = std::min(1.0, kMaxTurn / std::max(turn.norm(), kMaxTurn));
   return {at.c + at.R * step.head<3>(), upright(orthonormalised(at.R * rotation(scale * turn)))};
 }
 
-// From a start to the minimum; counts its iterations.
+// Newton's method from a start to the minimum; adds to `iterations`.
 Iterate descend(const Stance& stance, Iterate at, LegSet legs, Clear& clear, int& iterations) {
   for (int k = 0; k < kMaxIterations; ++k) {
     const Vector6 step = newton_step(stance, at, legs, clear);
@@ -347,7 +360,7 @@ StancePose optimise_stance(const RobotModel& model, const StanceProblem& problem
   Clear clear;
   Iterate at;
 
-  // All legs; if some don't reach, without the one that is farthest off, and so on.
+  // With all legs; then, while some cannot reach their feet, without the farthest of these.
   for (int descent = 0; descent < kMaxDescents; ++descent) {
     at = descend(stance, level_guess(stance, problem.X_OB, given_up),
                  without(stance.reach, given_up), clear, out.iterations);
@@ -357,10 +370,9 @@ StancePose optimise_stance(const RobotModel& model, const StanceProblem& problem
     given_up.insert(leg);
   }
 
-  // What has come of it.
   out.X_OB = {at.R, problem.X_OB.p + at.c - at.R * model.p_BM};
-  out.margin = stability_margin(stance.room.polygon, at.c.head<2>());
-  out.margin_shrunk = stance.room.shrunk;
+  out.margin = stability_margin(stance.region.polygon, at.c.head<2>());
+  out.margin_shrunk = stance.region.shrunk;
   out.objective = objective(stance, at);
   return out;
 }

@@ -24,7 +24,7 @@ bool is_before(const Vector2& a, const Vector2& b) {
   return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
 }
 
-// Removes from the end of the chain that starts at vertex `first` what `next` would make concave.
+// Removes the vertices at the end of the chain from `first` that `next` would make concave.
 void retract(SupportPolygon& hull, int first, const Vector2& next) {
   const auto last = [&](int back) {
     return hull.vertices[static_cast<std::size_t>(hull.size - back)];

@@ -8,7 +8,7 @@
 namespace hexagait {
 namespace {
 
-// Each standing foot presses down with its share of the weight: τ = Jᵀ (−F up).
+// Each loaded foot presses down with its part of the weight: τ = Jᵀ (−F up).
 LegArray<LegJoints> kinematic_efforts(const RobotModel& model, const WholeBodyInput& input,
                                       double gravity) {
   const int n = model.num_legs();
@@ -23,8 +23,7 @@ LegArray<LegJoints> kinematic_efforts(const RobotModel& model, const WholeBodyIn
   return effort;
 }
 
-// The weight of a foot's moment against its force: what turns the robot, at the distance at which
-// its mass turns. Both then count as accelerations.
+// The lever arm that makes forces and moments comparable: both then count as accelerations.
 double radius_of_gyration(const RobotModel& model) {
   return std::sqrt(model.inertia_M_B.trace() / (3.0 * model.mass));
 }
@@ -38,9 +37,9 @@ ContactForceParams contact_params(const RobotModel& model, double gravity,
           .moment_arm = radius_of_gyration(model)};
 }
 
-// The feet push the body as (body 1) says, and the joints hold their legs besides.
-LegArray<LegJoints> virtual_model_efforts(const RobotModel& model, const WholeBodyInput& input,
-                                          double gravity, const VirtualModelParams& params) {
+// Contact forces for (body 1), plus the efforts that hold the legs themselves.
+JointEfforts virtual_model_efforts(const RobotModel& model, const WholeBodyInput& input,
+                                   double gravity, const VirtualModelParams& params) {
   const int n = model.num_legs();
   LegArray<LegJoints> effort(n, LegJoints::Zero());
   Vector3 moment_B = model.base.mass * model.base.p_LM;
@@ -49,13 +48,13 @@ LegArray<LegJoints> virtual_model_efforts(const RobotModel& model, const WholeBo
     effort[i] = weight.effort;
     moment_B += weight.moment_B;
   }
-  const LegArray<Vector3> force =
+  const ContactForces forces =
       contact_forces({virtual_model_wrench(model, moment_B / model.mass, input, gravity, params),
                       input.p_BF, input.normal_B, input.load},
                      contact_params(model, gravity, params));
   for (LegId i = 0; i < n; ++i)
-    effort[i] -= foot_jacobian(model.legs[i], input.trig[i]).transpose() * force[i];
-  return effort;
+    effort[i] -= foot_jacobian(model.legs[i], input.trig[i]).transpose() * forces.force[i];
+  return {effort, forces.status};
 }
 
 }  // namespace
@@ -84,12 +83,12 @@ Wrench virtual_model_wrench(const RobotModel& model, const Vector3& p_BM,
                                           2.0 * params.turn_damping_ratio * turn_w * error.V_B.w)};
 }
 
-LegArray<LegJoints> joint_efforts(WholeBodyController controller, const RobotModel& model,
-                                  const WholeBodyInput& input, double gravity,
-                                  const VirtualModelParams& params) noexcept {
-  return controller == WholeBodyController::kinematic
-             ? kinematic_efforts(model, input, gravity)
-             : virtual_model_efforts(model, input, gravity, params);
+JointEfforts joint_efforts(WholeBodyController controller, const RobotModel& model,
+                           const WholeBodyInput& input, double gravity,
+                           const VirtualModelParams& params) noexcept {
+  if (controller == WholeBodyController::kinematic)
+    return {kinematic_efforts(model, input, gravity)};
+  return virtual_model_efforts(model, input, gravity, params);
 }
 
 }  // namespace hexagait

@@ -9,89 +9,95 @@
 
 namespace hexagait {
 
-/// How set points become joint efforts; switched without touching the action ([FG16] IV).
+/// How joint efforts are computed from set points, independently of the action ([FG16] IV).
 enum class WholeBodyController : std::uint8_t {
   kinematic,  ///< the joints are servoed to their targets, the weight is fed forward
-  /// The base is held by a virtual spring and damper, the feet push accordingly. Legs that stand
-  /// are driven by efforts alone: their angles must be measured (SensorMask::joint_feedback).
+  /// A virtual spring and damper hold the base, and contact forces realise their wrench. Standing
+  /// legs are driven by effort alone, so their angles must be measured
+  /// (SensorMask::joint_feedback).
   virtual_model,
 };
 
 [[nodiscard]] const char* to_string(WholeBodyController controller) noexcept;
 
-/// The springs and dampers of the virtual model. As frequencies they are the same for every robot:
-/// its mass and its inertia make forces of them (body 1).
+/// The springs and dampers of the virtual model. They are given as natural frequencies, which suit
+/// robots of any size: (body 1) multiplies them by mass and inertia.
 struct VirtualModelParams {
-  /// ω of the base in its spring [rad/s]. Lower: the base gives way more, by f/(m ω²) to a force f
-  /// and by a/ω² where its plan accelerates by a. Higher: stiffer; what the springs ask for must be
-  /// done long before the base has moved, so ω is to be a fraction (a fifth, say) of the bandwidth
-  /// of the joints' torque, and ω dt, with the control period, far below 1. The default, 2 Hz,
-  /// gives way by 6 mm to a force of a tenth of the weight, and asks for no more than joints with a
-  /// bandwidth of 10 Hz and a control period of up to 10 ms.
+  /// Natural frequency ω of the base's position [rad/s]. Lower: the base is softer; a force f
+  /// displaces it by f/(m ω²), and it lags by a/ω² behind a plan that accelerates by a. Higher:
+  /// stiffer. ω should be at most a fifth or so of the bandwidth of the joints' torque, and ω dt,
+  /// dt the control period, far below 1. With the default, 2 Hz, a force of a tenth of the weight
+  /// displaces the base by 6 mm; it needs a torque bandwidth of 10 Hz and a control period of at
+  /// most 10 ms.
   double frequency = 12.5;
-  double turn_frequency = 12.5;  ///< the same of turns [rad/s]
+  double turn_frequency = 12.5;  ///< natural frequency ω' of the base's rotation [rad/s]
 
-  /// ζ. 1: back without overshoot, as fast as can be. Higher: slower, and the noise of the
-  /// velocity, which is that of the joint angles over one period, reaches the joints; lower: it
-  /// swings.
+  /// Damping ratio ζ. 1: critical, the fastest return without overshoot. Higher: slower, and more
+  /// of the noise of the differentiated joint angles reaches the joints; lower: the base
+  /// oscillates.
   double damping_ratio = 1.0;
-  double turn_damping_ratio = 1.0;
+  double turn_damping_ratio = 1.0;  ///< ζ' of the base's rotation
 
-  /// Of foot and ground, as far as one relies on it: larger than true, and feet slip.
+  /// Coefficient between foot and ground that the controller relies on. Larger than the true one:
+  /// feet slip.
   double friction = 0.6;
-  /// Bounds of what a fully loaded foot carries, as shares of the weight. The lower one keeps it on
-  /// the ground, and its contact sensor in no doubt; the upper one saves the leg. A foot that
-  /// carried the whole robot would need 1.
+  /// Bounds of the normal force on a fully loaded foot, as fractions of the robot's weight. The
+  /// lower one keeps the foot on the ground and its contact sensor closed; the upper one protects
+  /// the leg. At 1, one foot could carry the whole robot.
   double least_load = 0.02;
   double most_load = 1.2;
 };
 
-/// Where the base is to be and is not: desired less present, axes of the present base.
+/// Desired minus present state of the base, in the axes of the present base.
 struct BaseError {
   Vector3 p_B = Vector3::Zero();     ///< [m]
   Vector3 turn_B = Vector3::Zero();  ///< rotation vector [rad]
   Twist V_B;                         ///< [m/s], [rad/s]
 };
 
-/// Of a base at X_OB with twist V_B (its own axes) that is to be at X_OD with twist V_D (axes of
-/// D).
+/// The error of a base at X_OB with twist V_B (axes of B) that should be at X_OD with twist V_D
+/// (axes of D).
 [[nodiscard]] BaseError base_error(const Pose& X_OB, const Twist& V_B, const Pose& X_OD,
                                    const Twist& V_D) noexcept;
 
-/// What the efforts depend on.
+/// The inputs of joint_efforts().
 struct WholeBodyInput {
   LegArray<Vector3> p_BF;           ///< set points of the feet, body frame [m]
   LegArray<LegTrig> trig;           ///< of the joint targets
-  LegArray<double> load;            ///< share of its load that each leg carries, 0 … 1
-  Vector3 up_B = Vector3::UnitZ();  ///< against gravity, in the body frame
+  LegArray<double> load;            ///< fraction of its load that each leg carries, 0 … 1
+  Vector3 up_B = Vector3::UnitZ();  ///< direction opposite to gravity, body frame
 
-  // The virtual model only.
-  LegArray<LegJoints> q;       ///< of trig [rad]
-  LegArray<Vector3> normal_B;  ///< of the ground at each foot
+  // Used by the virtual model only:
+  LegArray<LegJoints> q;       ///< joint values of trig [rad]
+  LegArray<Vector3> normal_B;  ///< of the ground at each foot, unit vectors
   BaseError error;
 };
 
-/// The wrench of the virtual model: weight, spring and damper, at the centre of mass M. With e, θ
-/// the error of M and of the base's rotation, I the inertia about M (RobotModel):
+/// The wrench of the virtual model: weight, spring and damper, acting at the centre of mass M. With
+/// e and θ the errors of M's position and of the base's rotation and I the inertia about M:
 ///
 ///     F = m (g up + ω² e + 2 ζ ω ė),   M = p_BM × F + I (ω'² θ + 2 ζ' ω' θ̇)             (body 1)
 ///
-/// so the base comes back as a mass on a spring of that frequency, as far as legs have no mass.
-/// @param p_BM  as the legs are now [m]
+/// The base then moves like a mass on a spring of that frequency, as far as the legs' mass can be
+/// neglected.
+/// @param p_BM  centre of mass in the present posture [m]
 [[nodiscard]] Wrench virtual_model_wrench(const RobotModel& model, const Vector3& p_BM,
                                           const WholeBodyInput& input, double gravity,
                                           const VirtualModelParams& params) noexcept;
 
-/// Joint efforts with which the feet that carry press on the ground: τ = Jᵀ (−F), F by
-/// shared_load() along `up_B` (kinematic) or by contact_forces() for (body 1) (virtual model; it
-/// also holds the links of all legs, (weight 1)). Legs in the air press on nothing: they are
-/// servoed.
+/// The result of joint_efforts().
+struct JointEfforts {
+  LegArray<LegJoints> effort;          ///< τ [N m]
+  QpStatus status = QpStatus::solved;  ///< of contact_forces(); always solved if kinematic
+};
+
+/// Joint efforts with which the loaded feet press on the ground: τ = Jᵀ (−F). F is by shared_load()
+/// along `up_B` (kinematic), or by contact_forces() for the wrench of (body 1) (virtual model,
+/// which also carries the links of all legs, (weight 1)). Legs in the air get no contact force.
 ///
 /// @param gravity  [m/s²]
-/// @returns τ [N m]
-[[nodiscard]] LegArray<LegJoints> joint_efforts(WholeBodyController controller,
-                                                const RobotModel& model,
-                                                const WholeBodyInput& input, double gravity,
-                                                const VirtualModelParams& params) noexcept;
+[[nodiscard]] JointEfforts joint_efforts(WholeBodyController controller, const RobotModel& model,
+                                         const WholeBodyInput& input, double gravity,
+                                         const VirtualModelParams& params) noexcept;
 
 }  // namespace hexagait

@@ -39,7 +39,7 @@ WholeBodyInput standing() {
 }
 
 LegArray<LegJoints> efforts(WholeBodyController controller, const WholeBodyInput& input) {
-  return joint_efforts(controller, argos(), input, kGravity, {});
+  return joint_efforts(controller, argos(), input, kGravity, {}).effort;
 }
 
 /// What the feet do to the ground, from the efforts: F = −J⁻ᵀ τ is the ground on the robot. In the

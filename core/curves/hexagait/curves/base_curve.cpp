@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kMaxToMean = 3.0;  // Fritsch & Carlson 1980
 
-// Velocity at a knot, from the mean velocities before and after.
+// Velocity at a knot, from the mean velocities before and after it.
 Vector3 bounded_velocity(const Vector3& before, double T_before, const Vector3& after,
                          double T_after) {
   if (before.dot(after) <= 0.0) return Vector3::Zero();
@@ -28,7 +28,7 @@ Twist knot_twist(const BaseKnot& last, const BaseKnot& now, const BaseKnot& next
           bounded_velocity(turn_before / before, before, turn_after / after, after)};
 }
 
-// The middle one of the three turns of a segment.
+// φ₂ of a segment.
 Vector3 middle_turn(const BaseState& from, const BaseState& to, double T) {
   return rotation_vector(rotation(-T / 3.0 * from.V_B.w) * from.X_AB.R.transpose() * to.X_AB.R *
                          rotation(-T / 3.0 * to.V_B.w));

@@ -8,10 +8,10 @@
 
 namespace hexagait {
 
-/// Where the base B is in a frame A and how it moves over it.
+/// Pose and twist of the base B relative to a frame A.
 struct BaseState {
   Pose X_AB;
-  Twist V_B;  ///< of B over A, in B: v = R_ABᵀ ṗ_AB [m/s], w [rad/s]
+  Twist V_B;  ///< in the axes of B: v = R_ABᵀ ṗ_AB [m/s], w [rad/s]
 };
 
 /// max(distance / v, angle / w, minimum) [s].
@@ -19,24 +19,25 @@ struct BaseState {
 [[nodiscard]] double base_duration(const Pose& from, const Pose& to, double average_speed,
                                    double average_turn_rate, double minimum) noexcept;
 
-/// The motion of the base over time: cubic Hermite in R³ × SO(3), pose and twist continuous (C1),
-/// also from the start state on. Positions and rotations are independent of each other.
+/// The motion of the base over time: cubic Hermite in R³ × SO(3); pose and twist are continuous
+/// (C1), including at the start state. Positions and rotations are independent of each other.
 ///
-/// Rotations are cubic quaternion curves with a cumulative basis (Kim, Kim & Shin 1995), written in
-/// rotation matrices; in a segment of duration T from R₀ with w₀ to R₁ with w₁ (both in B), τ =
-/// t/T:
+/// Rotations are cubic quaternion curves with a cumulative basis (Kim, Kim & Shin 1995), written
+/// with rotation matrices. In a segment of duration T from R₀ with w₀ to R₁ with w₁ (both in B),
+/// with τ = t/T:
 ///
 ///     R(τ) = R₀ exp(β₁ φ₁) exp(β₂ φ₂) exp(β₃ φ₃)
 ///     β₁ = 1 − (1−τ)³,   β₂ = 3τ² − 2τ³,   β₃ = τ³
-///     φ₁ = w₀ T/3,   φ₃ = w₁ T/3,   exp(φ₂) = exp(−φ₁) R₀ᵀ R₁ exp(−φ₃),   |φ₂| <= π
+///     φ₁ = w₀ T/3,   φ₃ = w₁ T/3,   exp(φ₂) = exp(−φ₁) R₀ᵀ R₁ exp(−φ₃),   |φ₂| ≤ π
 ///     w T = β₃' φ₃ + exp(−β₃ φ₃) (β₂' φ₂ + exp(−β₂ φ₂) β₁' φ₁)
 ///
-/// Inner knots are passed with the parabola's velocity through the neighbours, that of rotations
-/// from the rotation vectors before and after, in B: 0 where the way turns back (by 90° or more),
-/// no more than 3 times the smaller of both mean velocities: along a line this is the bound within
-/// which a cubic is monotone (Fritsch & Carlson 1980).
+/// Velocities at inner knots are parabola_rates(), for rotations of the rotation vectors in B. They
+/// are 0 where the path turns by 90° or more, and at most 3 times the smaller of the mean
+/// velocities before and after; on a straight line a cubic is monotone within that bound (Fritsch &
+/// Carlson 1980).
 ///
-/// Only reserve() allocates. A value; assignment to one with as much room doesn't allocate.
+/// Only reserve() allocates. A value: assignment to a curve of sufficient capacity does not
+/// allocate.
 class BaseCurve {
  public:
   BaseCurve() { reserve(1); }
@@ -46,17 +47,17 @@ class BaseCurve {
   BaseCurve& operator=(BaseCurve&&) noexcept = default;
   ~BaseCurve() = default;
 
-  /// Room for so many knots, at least one.
+  /// Allocates space for this many knots, at least one.
   void reserve(int knots);
 
-  /// A target is a trajectory of one knot. Knots at times that don't rise, or beyond the room, are
-  /// left out as usable_knots() says; without any the start state stands.
-  /// @param end_V_B  at the last knot, in B
+  /// Plans a motion through all usable_knots(); without any, the base stays at its start. A target
+  /// is a trajectory of one knot.
+  /// @param end_V_B  twist at the last knot, axes of B
   void plan(const BaseState& start, std::span<const BaseKnot> knots,
             const Twist& end_V_B = {}) noexcept;
 
   [[nodiscard]] double duration() const noexcept;
-  /// @param t  since the start, clamped into [0, duration()] [s]
+  /// @param t  since the start [s], clamped into [0, duration()]
   [[nodiscard]] BaseState at(double t) const noexcept;
 
  private:

@@ -9,13 +9,13 @@ namespace hexagait {
 namespace {
 
 constexpr double kMinDuration = 1e-3;      // [s]
-constexpr double kSameKnot = 1e-3;         // knots nearer to each other count as one [m]
-constexpr double kMinBrakeWay = 0.9e-3;    // a velocity may take so much where there is no way [m]
-constexpr double kMaxBraking = 15.0;       // of a foot in mid-air, mostly [m/s²]
-constexpr double kSnap = 1e-3;             // nodes nearer than this share of a segment become one
-constexpr std::size_t kMaxSwingNodes = 7;  // five knots, ends of the two brakes
+constexpr double kSameKnot = 1e-3;         // closer knots count as one [m]
+constexpr double kMinBrakeWay = 0.9e-3;    // length of a ramp where the segment has none [m]
+constexpr double kMaxBraking = 15.0;       // of a foot in mid-air, where time allows [m/s²]
+constexpr double kSnap = 1e-3;             // closer nodes are merged, as a fraction of a segment
+constexpr std::size_t kMaxSwingNodes = 7;  // five knots and the ends of both ramps
 
-// The swing's polygon. Axes: x along the chord, z along the normal, origin at the start.
+// The polygon of a swing. Axes: x along the chord, z along the normal, origin at the start.
 struct Polygon {
   std::array<Vector3, 5> p;
   std::array<double, 5> time{};
@@ -27,7 +27,7 @@ struct Polygon {
   double segment_time(std::size_t k) const { return time[k + 1] - time[k]; }
 };
 
-// A quintic from one state to another; the ends hold before and after.
+// A quintic from one state to another; the end states stand before and after it.
 struct Piece {
   PointState from, to;
   double duration = 0.0;
@@ -70,7 +70,7 @@ Polygon swing_polygon(double along, double rise, const FootSwing& swing) {
   return polygon;
 }
 
-// Without inner knots that are as good as in the same place as their neighbours.
+// The polygon without inner knots that coincide with a neighbour.
 Polygon distinct(const Polygon& all) {
   Polygon kept;
   kept.p[kept.size++] = all.p[0];
@@ -94,16 +94,16 @@ void set_times(Polygon& polygon, double duration) {
   polygon.time[polygon.last()] = duration;
 }
 
-// Time in which velocity v and acceleration a ramp to 0, or in reverse: |v| τ/2 + |a| τ²/12, the
-// most they can take, is the way there is in their direction.
+// Time τ in which velocity v and acceleration a ramp to 0 (or from 0, in reverse): such that the
+// longest distance of the ramp, |v| τ/2 + |a| τ²/12, is at most the available one.
 double brake_time(const Vector3& v, const Vector3& a, const Vector3& way, double longest) {
   double time = longest;
   for (int i = 0; i < 3; ++i) {
     const double ahead = std::copysign(1.0, v[i] != 0.0 ? v[i] : a[i]) * way[i];
-    const double room = std::max(ahead, kMinBrakeWay);
+    const double available = std::max(ahead, kMinBrakeWay);
     const double half = 0.5 * std::abs(v[i]);
-    const double speed = half + std::sqrt(half * half + std::abs(a[i]) * room / 3.0);
-    if (2.0 * room < speed * time) time = 2.0 * room / speed;
+    const double speed = half + std::sqrt(half * half + std::abs(a[i]) * available / 3.0);
+    if (2.0 * available < speed * time) time = 2.0 * available / speed;
   }
   return time > (1.0 - kSnap) * longest ? longest : time;
 }
@@ -124,7 +124,8 @@ Piece touchdown_ramp(const Vector3& v, const Polygon& polygon) {
   return {{}, {0.5 * time * v, v, Vector3::Zero()}, time};
 }
 
-// Passes a knot no faster than both neighbouring segments allow, and rests where it turns.
+// Velocities at the knots: no faster than both neighbouring segments allow, 0 where an axis
+// reverses.
 void set_velocities(Polygon& polygon, const std::array<Vector3, 4>& way) {
   for (std::size_t k = 0; k < polygon.size; ++k) polygon.v[k].setZero();
   for (std::size_t k = 1; k < polygon.last(); ++k) {
@@ -145,10 +146,10 @@ std::array<Vector3, 4> ways(const Polygon& polygon) {
   return way;
 }
 
-// All that a swing is made of, in the axes of its polygon.
+// The terms whose sum is a swing, in the axes of its polygon.
 struct SwingTerms {
   Polygon polygon;
-  std::array<Vector3, 4> way;  // of the moves from knot to knot, without that of brake and ramp
+  std::array<Vector3, 4> way;  // of the moves from knot to knot, less that of brake and touchdown
   Piece brake, touchdown;
 };
 
@@ -166,10 +167,10 @@ SwingTerms swing_terms(const PointState& start, const Vector3& way, const FootSw
   return terms;
 }
 
-// One segment: its move, and brake and touchdown if they are in it.
+// One segment: its move, and the brake or touchdown that falls into it.
 struct Segment {
   Piece move, brake, touchdown;
-  double touchdown_begin = 0.0;  // since the segment's begin [s]
+  double touchdown_begin = 0.0;  // since the start of the segment [s]
 
   PointState at(double t) const {
     return sum(sum(move.at(t), brake.at(t)), touchdown.at(t - touchdown_begin));
@@ -192,8 +193,8 @@ Segment segment(const SwingTerms& terms, std::size_t k) {
   return result;
 }
 
-// When, within a segment, the brake ends and the touchdown begins: nodes of the spline, if they
-// aren't as good as at its ends or one.
+// Times within a segment at which the brake ends and the touchdown begins, which need a node each;
+// 0 for those that coincide with another node.
 std::array<double, 2> inner_nodes(const Segment& segment) {
   const double T = segment.move.duration;
   std::array<double, 2> t = {std::min(segment.brake.duration, segment.touchdown_begin),

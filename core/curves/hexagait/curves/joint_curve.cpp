@@ -7,10 +7,10 @@
 namespace hexagait {
 namespace {
 
-// A quintic with mean velocity s is monotone if its velocities at both ends are up to this times s.
+// A quintic with mean velocity s is monotone if its end velocities are at most this times s.
 constexpr double kMaxToMean = 2.0;
 
-// Where and when a knot is.
+// Time and joint positions of a knot.
 struct Place {
   double time = 0.0;
   LegJoints q, qd;
@@ -20,7 +20,7 @@ LegJoints given_or(const LegJoints& given, const LegJoints& otherwise) {
   return given.array().isNaN().select(otherwise, given);
 }
 
-// Positions that aren't given follow from given velocities, or stay.
+// Positions that are not given: the integral of given velocities, otherwise unchanged.
 Place place_of(const JointKnot& knot, const Place& last) {
   const double T = knot.time - last.time;
   const LegJoints still = LegJoints::Zero();
@@ -34,7 +34,7 @@ struct JointRates {
   LegJoints v = LegJoints::Zero(), a = LegJoints::Zero();
 };
 
-/// Of the three joints from `first` on.
+/// The state of the three joints from `first` on.
 PointState three_of(int first, const LegJoints& q, const LegJoints& qd, const LegJoints& qdd) {
   return {q.segment<3>(first), qd.segment<3>(first), qdd.segment<3>(first)};
 }

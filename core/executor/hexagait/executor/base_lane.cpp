@@ -9,7 +9,7 @@ namespace {
 
 double clamped(double value, double bound) { return std::clamp(value, -bound, bound); }
 
-// Speed from which one can still stop at the goal, proportional to what remains close to it.
+// (base 1): the speed from which the base can stop at the goal; near it, proportional to the rest.
 double approach_speed(double remaining, double max_speed, const BaseParams& params) {
   const double distance = std::abs(remaining);
   const double speed = std::min({std::sqrt(2.0 * params.acceleration * distance),
@@ -17,7 +17,7 @@ double approach_speed(double remaining, double max_speed, const BaseParams& para
   return std::copysign(speed, remaining);
 }
 
-PlanarTwist wanted_velocity(const BaseAuto& command, const BaseGoal& goal,
+PlanarTwist wanted_velocity(const BaseAutoCommand& command, const BaseGoal& goal,
                             const BaseParams& params) {
   const double advance = std::min(goal.advance, command.max_advance);
   const double speed = approach_speed(advance, command.max_speed, params);
@@ -30,11 +30,11 @@ PlanarTwist wanted_velocity(const BaseAuto& command, const BaseGoal& goal,
 
 }  // namespace
 
-void advance(BaseLane& lane, const BaseAuto& command, const BaseGoal& goal, double dt,
+void advance(BaseLane& lane, const BaseAutoCommand& command, const BaseGoal& goal, double dt,
              const BaseParams& params) noexcept {
   const PlanarTwist wanted = wanted_velocity(command, goal, params);
 
-  // Bounded change of velocity, measured where it is largest.
+  // Bounded change of velocity, measured at the outermost foot.
   const Vector2 dv = wanted.v - lane.planar.v;
   const double dw = wanted.w - lane.planar.w;
   const double change = dv.norm() + params.outer_radius * std::abs(dw);

@@ -6,23 +6,23 @@
 
 namespace hexagait {
 
-/// How the base moves towards its goals.
+/// Limits and gains of the base's motion.
 struct BaseParams {
-  /// Bound on the base's acceleration along the path, at the outermost foot [m/s²]. Larger: the
-  /// zero-moment point leaves the support triangle and contacts are lost.
+  /// Bound on the acceleration along the path, at the outermost foot [m/s²]. Larger: the
+  /// zero-moment point leaves the support triangle and feet lose contact.
   double acceleration = 1.2;
   double max_speed = 0.60;         ///< along the path [m/s]
-  double advance_rate = 8.0;       ///< speed per remaining path close to the goal [1/s]
-  double correction_rate = 2.0;    ///< speed per deviation from the path [1/s]
-  double correction_speed = 0.05;  ///< bound [m/s]
-  double correction_turn = 0.10;   ///< bound [rad/s]
-  double posture_rate = 2.0;       ///< height, roll, pitch: speed per error [1/s]
+  double advance_rate = 8.0;       ///< speed over remaining path, near the goal [1/s]
+  double correction_rate = 2.0;    ///< speed over deviation from the path [1/s]
+  double correction_speed = 0.05;  ///< bound of the correction [m/s]
+  double correction_turn = 0.10;   ///< the same [rad/s]
+  double posture_rate = 2.0;       ///< speed over error of height, roll and pitch [1/s]
   double height_speed = 0.15;      ///< bound [m/s]
   double tilt_speed = 0.3;         ///< bound [rad/s]
-  double outer_radius = 0.8;       ///< lever arm that turns angular into linear acceleration [m]
+  double outer_radius = 0.8;       ///< lever arm from angular to linear acceleration [m]
 };
 
-/// The executor's lane of the base: its present velocity. A value.
+/// The executor's lane of the base: its commanded velocity. A value.
 struct BaseLane {
   PlanarTwist planar;     ///< body frame [m/s, rad/s]
   double vertical = 0.0;  ///< along body z [m/s]
@@ -34,8 +34,8 @@ struct BaseLane {
   }
 };
 
-/// One tick of the base: towards the goal as fast as the limits allow, without a jump in velocity.
-void advance(BaseLane& lane, const BaseAuto& command, const BaseGoal& goal, double dt,
+/// One tick of the base: towards the goal as fast as the limits of speed and acceleration allow.
+void advance(BaseLane& lane, const BaseAutoCommand& command, const BaseGoal& goal, double dt,
              const BaseParams& params) noexcept;
 
 }  // namespace hexagait

@@ -11,8 +11,8 @@ namespace {
 constexpr double kDt = 0.002;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-BaseAuto straight_ahead() {
-  BaseAuto command;
+BaseAutoCommand straight_ahead() {
+  BaseAutoCommand command;
   command.path.v = {1.0, 0.0};
   return command;
 }
@@ -28,7 +28,7 @@ TEST(BaseLane, NeverAcceleratesMoreThanItsBoundWhateverIsAsked) {
   const auto u = [&](double bound) { return random.uniform(-bound, bound); };
   BaseLane lane;
   for (int tick = 0; tick < 20000; ++tick) {
-    BaseAuto command;
+    BaseAutoCommand command;
     command.path = {{u(1.0), u(1.0)}, u(3.0)};
     command.correction = {{u(0.1), u(0.1)}, u(0.5)};
     command.max_speed = random.u01();
@@ -80,7 +80,7 @@ TEST(BaseLane, TakesNotMuchLongerThanTheBoundsAsk) {
 
 TEST(BaseLane, GoesNoFartherThanMaxAdvanceAndNoFasterThanMaxSpeed) {
   const BaseParams params;
-  BaseAuto command = straight_ahead();
+  BaseAutoCommand command = straight_ahead();
   command.max_speed = 0.2;
   BaseLane lane;
   double x = 0.0;
@@ -97,7 +97,7 @@ TEST(BaseLane, GoesNoFartherThanMaxAdvanceAndNoFasterThanMaxSpeed) {
 // A large deviation is made good at the bound, in its own direction; a small one in proportion.
 TEST(BaseLane, CorrectsTowardsThePathWithinItsBounds) {
   const BaseParams params;
-  BaseAuto command = straight_ahead();
+  BaseAutoCommand command = straight_ahead();
   command.correction = {{0.3, 0.4}, -2.0};
   BaseLane lane;
   for (int tick = 0; tick < 1000; ++tick) advance(lane, command, {}, kDt, params);
@@ -134,7 +134,7 @@ TEST(BaseLane, RaisesAndLevelsTheBodyWithoutOvershoot) {
 
 TEST(BaseLane, MirrorsLeftAndRight) {
   const BaseParams params;
-  BaseAuto left, right;
+  BaseAutoCommand left, right;
   left.path = {{0.6, 0.3}, 0.5}, right.path = {{0.6, -0.3}, -0.5};
   left.correction = {{0.01, 0.02}, 0.03}, right.correction = {{0.01, -0.02}, -0.03};
   BaseLane a, b;

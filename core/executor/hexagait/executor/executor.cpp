@@ -7,13 +7,13 @@
 namespace hexagait {
 namespace {
 
-// Time in which the effort of a plan reaches the joint's limit, at most [s].
+// Time in which a planned effort may rise from 0 to the joint's limit [s].
 constexpr double kEffortRamp = 0.1;
 
-// A base whose plan ends faster than this is to go on [m/s], [rad/s].
+// A plan that ends faster than this expects another one to follow [m/s], [rad/s].
 constexpr double kMoving = 1e-6;
 
-bool none(const LegJoints& effort) { return effort.cwiseAbs().maxCoeff() < 1e-12; }
+bool is_zero(const LegJoints& effort) { return effort.cwiseAbs().maxCoeff() < 1e-12; }
 
 }  // namespace
 
@@ -44,7 +44,7 @@ void Executor::reset(const RobotState& state, RestsOn rests_on) {
   X_OD_ = state.X_OB;
 }
 
-void Executor::command(const Footstep& step, const RobotState& state) noexcept {
+void Executor::command(const FootstepCommand& step, const RobotState& state) noexcept {
   hexagait::command(legs_[step.leg], step, state.X_OB);
 }
 
@@ -59,7 +59,7 @@ void Executor::reserve(int foot_knots, int joint_knots, int base_knots) {
 void Executor::command(LegId leg, const LegPlan& plan, const RobotState& state,
                        double begin) noexcept {
   plans_[leg] = plan;
-  // A leg that was driven by efforts starts from where it is.
+  // A leg that was driven by effort starts from where it is.
   if (targets_.mode[leg] == ControlMode::effort) legs_[leg].p_BF = state.p_BF[leg];
   hexagait::command(legs_[leg], plans_[leg], state.X_OB);
   if (legs_[leg].phase != LegPhase::follow) return;
@@ -80,10 +80,10 @@ void Executor::interrupt_base() noexcept {
 }
 
 const JointTargets& Executor::advance(const RobotState& state, double dt) noexcept {
-  move_base(state, dt);          // where should it go, and how fast can it?
-  stretch_springs(state, dt);    // how far is it from there?
-  carry_with_ground(state, dt);  // and with it all feet that stand
-  move_legs(state, dt);          // what each does over the ground
+  move_base(state, dt);          // twist of the base
+  update_base_error(state, dt);  // its error from the plan, for the virtual model
+  carry_with_ground(state, dt);  // set points of the feet, as the base moves over the ground
+  move_legs(state, dt);          // motion of the feet over the ground
   set_joints(state, dt);
   set_efforts(state, dt);
   return targets_;
@@ -97,7 +97,7 @@ void Executor::move_base(const RobotState& state, double dt) noexcept {
   hexagait::advance(base_, base_command_, base_goal_, dt, params_.base);
 }
 
-// The twist of the plan, and back to it where odometry sees the base beside it.
+// The twist of the plan, plus a correction of the error that odometry sees.
 void Executor::follow_base(const RobotState& state, double dt) noexcept {
   const double begin = base_time_, end = base_plan_.curve.duration();
   base_time_ = std::min(begin + rate_ * dt, end);
@@ -105,7 +105,7 @@ void Executor::follow_base(const RobotState& state, double dt) noexcept {
   base_planned_ = base_plan_.curve.at(base_time_);
   const double share = (base_time_ - begin) / dt;
 
-  // What is to go on moving behind the end of its plan, and was not given another one, brakes.
+  // A plan that ended in motion, with no other to follow it: brake.
   if (begin >= end && (now.V_B.v.norm() > kMoving || now.V_B.w.norm() > kMoving)) {
     interrupt_base();
     return move_base(state, dt);
@@ -117,7 +117,8 @@ void Executor::follow_base(const RobotState& state, double dt) noexcept {
   Vector3 w = p.correction_rate * rotation_vector(R_BD);
   if (v.norm() > p.correction_speed) v *= p.correction_speed / v.norm();
   if (w.norm() > p.correction_turn) w *= p.correction_turn / w.norm();
-  // The trapezoidal rule; the rest of a tick in which the plan ends goes on as it ended.
+  // The trapezoidal rule. If the plan ends within this tick, the rest of the tick has its last
+  // twist.
   const Twist& last = base_planned_.V_B;
   const double rest = rate_ - 0.5 * share;
   v += R_BD * (0.5 * share * now.V_B.v + rest * last.v);
@@ -125,7 +126,7 @@ void Executor::follow_base(const RobotState& state, double dt) noexcept {
   base_ = {{v.head<2>(), w.z()}, v.z(), w.x(), w.y()};
 }
 
-void Executor::stretch_springs(const RobotState& state, double dt) noexcept {
+void Executor::update_base_error(const RobotState& state, double dt) noexcept {
   if (params_.controller != WholeBodyController::virtual_model) return;
   Twist V_D = base_.twist();
   if (base_follows_) {
@@ -156,9 +157,9 @@ void Executor::hold() noexcept {
     lane.a_O.setZero();
   }
   for (LegJoints& qd : targets_.qd) qd.setZero();
-  // Efforts that nobody adapts any more hold nothing up.
+  // Constant efforts would not hold the robot: servo all joints.
   for (LegId i = 0; i < legs_.size(); ++i) targets_.mode[i] = ControlMode::position;
-  for (LegJoints& change : last_change_) change.setZero();  // nothing rolls on
+  for (LegJoints& change : last_change_) change.setZero();  // no foot rolls
 }
 
 LegSet Executor::support() const noexcept {
@@ -185,15 +186,15 @@ PoseAdaptationInput Executor::pose_adaptation_input(const RobotState& state) con
     input.p_BF[i] = legs_[i].p_BF;
     input.p_BC[i] = model_->legs[i].p_BC;
     input.footprint_BF[i] = X_BO * state.print_O[i];
-    // A foot that finds no ground where it was expected: let the body come down to it.
+    // A foot below its last footprint still has no ground: lower the body towards it.
     if (legs_[i].phase == LegPhase::descend)
       input.footprint_BF[i].z() = std::min(input.footprint_BF[i].z(), legs_[i].p_BF.z());
   }
   return input;
 }
 
-// (executor 1), exact to second order in one tick's motion; and the rolling of spherical feet
-// (odometry 2), by which the centre of a standing foot moves though its contact does not.
+// (executor 1), accurate to second order in the motion of one tick, and the rolling of spherical
+// feet (odometry 2), which moves the centre of a standing foot while its contact point stands.
 void Executor::carry_with_ground(const RobotState& state, double dt) noexcept {
   const Twist V = base_.twist();
   const Vector3 turn = V.w * dt;
@@ -201,7 +202,7 @@ void Executor::carry_with_ground(const RobotState& state, double dt) noexcept {
   for (LegId i = 0; i < legs_.size(); ++i) {
     if (!legs_[i].with_ground()) continue;
     Vector3& p = legs_[i].p_BF;
-    // What efforts drive is where it is.
+    // The set point of a foot driven by effort is its measured position.
     if (params_.controller == WholeBodyController::virtual_model && legs_[i].on_ground())
       p = state.p_BF[i];
     const Vector3 shift = -(V.v * dt + turn.cross(p));
@@ -211,21 +212,21 @@ void Executor::carry_with_ground(const RobotState& state, double dt) noexcept {
   }
 }
 
-// The joints lead and the foot follows.
+// Does the plan of this leg specify joints, so that the foot follows from them?
 bool Executor::led_by_joints(LegId leg) const noexcept {
   const LegPhase phase = legs_[leg].phase;
   return plans_[leg].kind == LegPlan::Kind::joints &&
          (phase == LegPhase::follow || phase == LegPhase::hold);
 }
 
-// Where the leg's joints should be, and where that puts its foot.
+// Joint values for the leg's set point or plan, before the velocity limit.
 LegSolution Executor::wanted_joints(LegId leg, const RobotState& state) noexcept {
   const LegModel& model = model_->legs[leg];
   const LegLane& lane = legs_[leg];
   const LegPlan& plan = plans_[leg];
   if (!led_by_joints(leg)) return inverse_kinematics(model, lane.p_BF, targets_.q[leg]);
   if (lane.phase == LegPhase::hold) return {targets_.q[leg], trig_[leg], true};
-  const bool driven = plan.mode == ControlMode::effort;  // wherever efforts take it
+  const bool driven = plan.mode == ControlMode::effort;  // its position is free
   const LegJoints asked = driven ? state.q[leg] : plan.joints.at(lane.time).q;
   LegJoints q = asked;
   for (int k = 0; k < model.num_joints(); ++k)
@@ -239,7 +240,7 @@ void Executor::set_joints(const RobotState& state, double dt) noexcept {
     LegSolution wanted = wanted_joints(i, state);
     reachable_[i] = wanted.reachable;
 
-    // What asks for more than a servo can do becomes a motion as fast as it can.
+    // Limit the change to what the servos can do in one tick.
     LegJoints change = wanted.q - targets_.q[i];
     bool limited = false;
     for (int k = 0; k < leg.num_joints(); ++k)
@@ -280,19 +281,21 @@ void Executor::set_efforts(const RobotState& state, double dt) noexcept {
     if (params_.controller == WholeBodyController::virtual_model)
       input.normal_B[i] = state.X_OB.R.transpose() * legs_[i].normal_O;
   }
-  targets_.effort =
+  const JointEfforts efforts =
       joint_efforts(params_.controller, *model_, input, params_.gravity, params_.virtual_model);
+  targets_.effort = efforts.effort;
+  contact_forces_ = efforts.status;
 
   for (LegId i = 0; i < legs_.size(); ++i) {
-    // A plan that drives a leg by efforts does it alone; the feet that stand are the controller's.
+    // The efforts of a plan in effort mode replace these; standing legs belong to the controller.
     if (params_.controller == WholeBodyController::virtual_model) {
       if (targets_.mode[i] == ControlMode::effort) targets_.effort[i].setZero();
       if (legs_[i].on_ground()) targets_.mode[i] = ControlMode::effort;
     }
 
-    // What a plan adds comes and goes within kEffortRamp.
+    // Efforts that a plan adds are ramped.
     const LegJoints wish = planned_effort(i, state);
-    if (none(wish) && none(planned_effort_[i])) continue;
+    if (is_zero(wish) && is_zero(planned_effort_[i])) continue;
     for (int k = 0; k < model_->legs[i].num_joints(); ++k) {
       const double most = model_->legs[i].limits[k].effort * dt / kEffortRamp;
       planned_effort_[i][k] += std::clamp(wish[k] - planned_effort_[i][k], -most, most);

@@ -13,81 +13,85 @@ namespace hexagait {
 struct ExecutorParams {
   SwingParams swing;
   BaseParams base;
-  double gravity = 9.81;  ///< [m/s²]; 0 feeds no load forward
+  double gravity = 9.81;  ///< [m/s²]; 0 turns the load feed-forward off
   WholeBodyController controller = WholeBodyController::kinematic;
   VirtualModelParams virtual_model;
 };
 
-/// The Free Gait executor: a lane per leg and one for the base ([FG16] II), without barriers
-/// between them: the gait generator streams commands into it. Steps that wait for each other:
-/// Sequencer.
+/// The Free Gait executor ([FG16] II): one lane per leg and one for the base, which move
+/// independently of each other. The gait generator streams commands into it; a Sequencer adds steps
+/// that wait for each other.
 ///
-/// Every foot has a set point p_BF in the body frame. When the base is to move with twist V, the
-/// ground, and with it every foot, goes the other way:
+/// Every foot has a set point p_BF in the body frame. When the base moves with twist V, the ground
+/// and all feet on it move the other way:
 ///
 ///     p_BF ← exp(−V dt) p_BF                                                          (executor 1)
 ///
-/// so that the feet in support keep their distances ([PC04] eq. 5, 8), and a foot in the air is
-/// carried along; what it does over the ground comes on top. The set point of a foot in support
-/// starts where its swing ended and is continuous by construction.
+/// so that the feet in support keep their distances ([PC04] eq. 5, 8). Feet in the air move along
+/// and add their own motion over the ground. The set point of a foot in support starts where its
+/// swing ended and is continuous.
 ///
-/// Scripts send plans, motions over time, to the same lanes; a LegPlan in odom is tracked against
-/// odometry, one in the body frame or in joints moves with the body. No joint target ever changes
-/// by more than its velocity limit allows in a tick, whatever is commanded when.
+/// Scripts send plans, motions over time, to the same lanes. A LegPlan in odom is tracked against
+/// odometry; one in the body frame or in joints moves with the body. No joint target ever changes
+/// by more than its velocity limit allows in a tick.
 ///
-/// A value: copy it to preview or to branch. advance() neither throws nor allocates.
+/// A value: copy it to preview or to branch. advance() neither throws nor allocates. The robot
+/// model must outlive the executor.
 class Executor {
  public:
   Executor(const RobotModel& model, const ExecutorParams& params);
+  Executor(const RobotModel&&, const ExecutorParams&) = delete;
 
-  /// All legs in support, or of a robot that lies on hold; set points at the measured feet, base at
-  /// rest.
+  /// Starts from the present state: all legs in support (on hold if the robot rests on its belly),
+  /// set points at the measured feet, base at rest.
   void reset(const RobotState& state, RestsOn rests_on = RestsOn::feet);
 
-  /// Takes effect in the next advance().
-  void command(const Footstep& step, const RobotState& state) noexcept;
-  void command(const BaseAuto& base) noexcept { base_command_ = base; }
+  // Commands of a gait generator. They take effect in the next advance().
+  void command(const FootstepCommand& step, const RobotState& state) noexcept;
+  void command(const BaseAutoCommand& base) noexcept { base_command_ = base; }
 
-  // Motions over time, of scripts. A plan that needs more room than reserve() made would allocate.
-  // `begin` is the time in the plan at which it starts: what a step before it has overshot [s].
+  // Plans of scripts. A plan with more knots than reserve() allowed for allocates.
+  // `begin` is the time at which the plan starts: by how much the previous step has overrun [s].
   void command(LegId leg, const LegPlan& plan, const RobotState& state,
                double begin = 0.0) noexcept;
   void command(const BasePlan& plan, double begin = 0.0) noexcept;
   void reserve(int foot_knots, int joint_knots, int base_knots);
 
-  /// How fast the time of plans goes: 0 stands still, 1 as planned.
+  /// Rate of the plans' time: 1 as planned, 0 paused.
   void set_rate(double rate) noexcept { rate_ = rate; }
 
-  /// Ends the leg's plan where it is: in the air, the foot goes down if it is to stand.
+  /// Ends the leg's plan. A foot in the air is lowered to the ground if `to_stand`.
   void interrupt(LegId leg, bool to_stand) noexcept { hexagait::interrupt(legs_[leg], to_stand); }
 
-  /// Ends the base's plan: the base comes to rest.
+  /// Ends the base's plan and brings the base to rest.
   void interrupt_base() noexcept;
 
-  /// One tick: base, legs, joints.
+  /// One control period: base, legs, joints.
   const JointTargets& advance(const RobotState& state, double dt) noexcept;
 
-  /// Stops everything where it is: velocities zero, set points kept.
+  /// Stops at once: velocities are set to 0, set points kept.
   void hold() noexcept;
 
   [[nodiscard]] const LegArray<LegLane>& legs() const { return legs_; }
   [[nodiscard]] const BaseLane& base() const { return base_; }
-  [[nodiscard]] const BaseAuto& base_command() const { return base_command_; }
+  [[nodiscard]] const BaseAutoCommand& base_command() const { return base_command_; }
   [[nodiscard]] const BaseGoal& base_goal() const { return base_goal_; }
   [[nodiscard]] const LegArray<LegPlan>& plans() const { return plans_; }
-  /// The base follows a plan, or holds the pose at its end.
+  /// Does the base follow a plan, or hold the pose at its end?
   [[nodiscard]] bool base_follows() const { return base_follows_; }
   [[nodiscard]] const BasePlan& base_plan() const { return base_plan_; }
   [[nodiscard]] double base_time() const { return base_time_; }
-  /// Where its plan wants the base now, if it follows one.
+  /// Pose and twist of the base according to its plan, if it follows one.
   [[nodiscard]] const BaseState& base_planned() const { return base_planned_; }
   [[nodiscard]] bool reachable(LegId leg) const { return reachable_[leg]; }
   [[nodiscard]] const JointTargets& targets() const { return targets_; }
+  /// Was the program of the contact forces solved in the last tick? Always if kinematic.
+  [[nodiscard]] QpStatus contact_forces() const { return contact_forces_; }
   [[nodiscard]] const ExecutorParams& params() const { return params_; }
 
-  /// Legs on the ground to the controller's knowledge.
+  /// Legs that count as standing.
   [[nodiscard]] LegSet support() const noexcept;
-  /// How far odometry may rely on each foot, 0 … 1: its load, if it stands.
+  /// Weight of each foot in odometry, 0 … 1: the fraction of its load that it carries.
   [[nodiscard]] LegArray<double> footing() const noexcept;
   [[nodiscard]] PoseAdaptationInput pose_adaptation_input(const RobotState& state) const noexcept;
 
@@ -98,7 +102,7 @@ class Executor {
   void move_legs(const RobotState& state, double dt) noexcept;
   void set_joints(const RobotState& state, double dt) noexcept;
   void set_efforts(const RobotState& state, double dt) noexcept;
-  void stretch_springs(const RobotState& state, double dt) noexcept;
+  void update_base_error(const RobotState& state, double dt) noexcept;
   [[nodiscard]] bool led_by_joints(LegId leg) const noexcept;
   [[nodiscard]] LegSolution wanted_joints(LegId leg, const RobotState& state) noexcept;
   [[nodiscard]] LegJoints planned_effort(LegId leg, const RobotState& state) const noexcept;
@@ -107,25 +111,25 @@ class Executor {
   ExecutorParams params_;
   LegArray<LegLane> legs_;
   LegArray<LegTrig> trig_;           ///< of the joint targets
-  LegArray<LegJoints> last_change_;  ///< of the joint targets, in the last tick [rad]
+  LegArray<LegJoints> last_change_;  ///< of the joint targets in the last tick [rad]
   LegArray<bool> reachable_;
   BaseLane base_;
-  BaseAuto base_command_;
+  BaseAutoCommand base_command_;
   BaseGoal base_goal_;
   JointTargets targets_;
 
   double rate_ = 1.0;
   LegArray<LegPlan> plans_;
-  LegArray<LegJoints> planned_effort_;  ///< as it has ramped so far [N m]
+  LegArray<LegJoints> planned_effort_;  ///< after ramping [N m]
   BasePlan base_plan_;
   bool base_follows_ = false;
-  double base_time_ = 0.0;  ///< in its plan [s]
+  double base_time_ = 0.0;  ///< time in its plan [s]
   BaseState base_planned_;  ///< at that time
 
-  // Of the virtual model: the base as it is to be, by its plan or, without one, held and moved on
-  // from where that left it.
+  // Virtual model: desired pose of the base, by its plan, or integrated from where the plan ended.
   Pose X_OD_;
   BaseError base_error_;
+  QpStatus contact_forces_ = QpStatus::solved;
 };
 
 }  // namespace hexagait

@@ -59,17 +59,17 @@ struct Scene {
 };
 
 /// Pose adaptations that want something always: the executor has to obey, not to understand.
-BaseAuto restless(const PlanarTwist& path, int kind) {
+BaseAutoCommand restless(const PlanarTwist& path, int kind) {
   constexpr PoseAdaptation kKinds[] = {
-      [](const BaseAuto&, const PoseAdaptationInput&) { return BaseGoal{.advance = 1.0}; },
-      [](const BaseAuto&, const PoseAdaptationInput&) {
+      [](const BaseAutoCommand&, const PoseAdaptationInput&) { return BaseGoal{.advance = 1.0}; },
+      [](const BaseAutoCommand&, const PoseAdaptationInput&) {
         return BaseGoal{1.0, 0.05, 0.1, -0.1};
       },
-      [](const BaseAuto&, const PoseAdaptationInput&) {
+      [](const BaseAutoCommand&, const PoseAdaptationInput&) {
         return BaseGoal{-1.0, -0.05, -0.1, 0.1};
       },
-      [](const BaseAuto&, const PoseAdaptationInput&) { return BaseGoal{}; }};
-  BaseAuto base;
+      [](const BaseAutoCommand&, const PoseAdaptationInput&) { return BaseGoal{}; }};
+  BaseAutoCommand base;
   base.adaptation = kKinds[kind];
   base.path = path;
   return base;
@@ -156,8 +156,8 @@ TEST(Executor, RollsSphericalFeetWithTheirTibias) {
 TEST(Executor, FeedsForwardTheEffortsThatLiftTheBody) {
   const RobotModel model = argos();
   Scene scene(model);
-  BaseAuto up;
-  up.adaptation = [](const BaseAuto&, const PoseAdaptationInput&) {
+  BaseAutoCommand up;
+  up.adaptation = [](const BaseAutoCommand&, const PoseAdaptationInput&) {
     return BaseGoal{.height = 0.1};
   };
   scene.executor.command(up);
@@ -205,13 +205,13 @@ void command_at_random(Scene& scene, RandomSequence& random) {
     const Vector3 target_B = leg.p_BC + r * Vector3(std::cos(angle), std::sin(angle), 0.0);
     Vector3 target_O = scene.state.X_OB * target_B;
     target_O.z() = 0.0;
-    scene.executor.command(Footstep{i, target_O, 0.1}, scene.state);
+    scene.executor.command(FootstepCommand{i, target_O, 0.1}, scene.state);
   }
   // The walker keeps the body over its feet; here it turns back in time.
   const Vector3& p = scene.state.X_OB.p;
   const double tilt = 1.0 - scene.state.X_OB.R(2, 2);
   if (p.head<2>().norm() > 0.05 || std::abs(p.z() - 0.3) > 0.03 || tilt > 0.002)
-    scene.executor.command(BaseAuto{});
+    scene.executor.command(BaseAutoCommand{});
 }
 
 // No joint target jumps: a tick's change is within what the joint's speed limit allows, and qd says
@@ -290,8 +290,9 @@ TEST(ExecutorHold, StopsTheBaseAndKeepsTheSetPointsOfStandingFeet) {
 TEST(ExecutorHold, LeavesNoSpeedToAFootInTheAir) {
   const RobotModel model = argos();
   Scene scene(model);
-  scene.executor.command(Footstep{2, scene.state.X_OB * (model.legs[2].p_BC + Vector3(0.1, 0, 0))},
-                         scene.state);
+  scene.executor.command(
+      FootstepCommand{2, scene.state.X_OB * (model.legs[2].p_BC + Vector3(0.1, 0, 0))},
+      scene.state);
   for (int tick = 0; tick < 100; ++tick) scene.tick();
   ASSERT_EQ(scene.executor.legs()[2].phase, LegPhase::transfer);
   EXPECT_GT(scene.executor.legs()[2].v_O.norm(), 0.1);
@@ -304,7 +305,7 @@ TEST(ExecutorHold, LeavesNoSpeedToAFootInTheAir) {
 TEST(Executor, TellsOdometryHowFarToTrustEachFoot) {
   const RobotModel model = argos();
   Scene scene(model);
-  scene.executor.command(Footstep{2, scene.state.p_OF[2]}, scene.state);
+  scene.executor.command(FootstepCommand{2, scene.state.p_OF[2]}, scene.state);
   for (int tick = 0; tick < 10; ++tick) scene.tick();
   EXPECT_NEAR(scene.executor.footing()[2], 0.5, 1e-9) << "half unloaded";
   EXPECT_EQ(scene.executor.footing()[3], 1.0);

@@ -7,7 +7,7 @@
 namespace hexagait {
 namespace {
 
-// Shortest time to go of the minimum-jerk law: bounds its gains [s].
+// Least time-to-go in the minimum-jerk law; bounds its gains [s].
 constexpr double kMinTimeToGo = 0.05;
 
 void enter(LegLane& lane, LegPhase phase) {
@@ -15,12 +15,12 @@ void enter(LegLane& lane, LegPhase phase) {
   lane.time = 0.0;
 }
 
-// A step begins where the foot is; nothing of the step before counts any more.
+// Begins a step at the present position of the foot.
 void begin_step(LegLane& lane, LegPhase phase, const Pose& X_OB) {
   enter(lane, phase);
   lane.cleared = false;
   lane.retreats = 0;
-  lane.reach_share = 1.0;
+  lane.reach_fraction = 1.0;
   lane.transfer_clock = 0.0;
   lane.p_OL = X_OB * lane.p_BF;
 }
@@ -29,8 +29,8 @@ void ramp(double& value, double target, double step) {
   value += std::clamp(target - value, -step, step);
 }
 
-// Minimum-jerk feedback (Flash & Hogan 1985, re-solved at every tick): the jerk that would bring a
-// point at distance `error` from its target to rest there in `time_to_go`. The target may move.
+// (swing 1): the jerk that would bring a point at distance `error` from its target to rest there in
+// `time_to_go`. Re-solved in every tick, so the target may move.
 double jerk_to(double error, double velocity, double acceleration, double time_to_go) {
   const double T = std::max(time_to_go, kMinTimeToGo);
   return (60.0 * error / T - 36.0 * velocity) / (T * T) - 9.0 * acceleration / T;
@@ -40,16 +40,16 @@ double height_of(const LegLane& lane, const Pose& X_OB) {
   return X_OB.R.row(2).dot(lane.p_BF) + X_OB.p.z();
 }
 
-// Time left of the sideways motion over a distance [s].
+// Time left for the sideways motion over a distance [s].
 double time_to_go(const LegLane& lane, double distance, const SwingParams& params) {
   return std::max(params.transfer_time - lane.transfer_clock,
                   kMinimumJerkPeak * distance / params.max_speed);
 }
 
-// From the foot to the foothold, horizontally [m].
+// Horizontal displacement from the foot to the foothold [m].
 Vector2 way_to_go(const LegLane& lane, const Pose& X_OB) {
   const Vector3 p_OF = X_OB * lane.p_BF;
-  const Vector3 target = lane.p_OL + lane.reach_share * (lane.step.p_OT - lane.p_OL);
+  const Vector3 target = lane.p_OL + lane.reach_fraction * (lane.step.p_OT - lane.p_OL);
   return (target - p_OF).head<2>();
 }
 
@@ -63,8 +63,8 @@ void move_up(LegLane& lane, double way, double time_left, double dt) {
   lane.a_O.z() += dt * jerk_to(way, lane.v_O.z(), lane.a_O.z(), time_left);
 }
 
-// Slow where the ground is expected, faster the farther the foot is from there: it then brakes for
-// the ground above, or searches for it below.
+// Slow at the expected ground and faster away from it: above, the foot brakes towards it; below, it
+// searches for the ground.
 void move_down(LegLane& lane, double height, double dt, const SwingParams& params) {
   const double off = std::abs(height - lane.step.p_OT.z()) - params.touchdown_margin;
   const double bound = height > lane.step.p_OT.z() ? params.descent_speed : params.search_speed;
@@ -84,12 +84,12 @@ void land(LegLane& lane) {
   lane.confirmed = false;
 }
 
-// Back where it came from and up; the next try goes higher, and after two tries less far.
+// Moves back and up. The next attempt is higher and, after two, shorter.
 void retreat(LegLane& lane, const SwingParams& params) {
   enter(lane, LegPhase::retreat);
   lane.apex_z += params.retreat_up;
   lane.transfer_clock = 0.0;
-  if (++lane.retreats > 2) lane.reach_share *= 0.6;
+  if (++lane.retreats > 2) lane.reach_fraction *= 0.6;
 }
 
 void support(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
@@ -134,7 +134,7 @@ void swing(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
   if (sideways && lane.cleared && blocked) {
     retreat(lane, params);
   } else if (lane.phase == LegPhase::lift && sideways) {
-    lane.phase = LegPhase::transfer;  // the clock goes on: it paces the way up
+    lane.phase = LegPhase::transfer;  // without enter(): lane.time still paces the rise
   } else if (lane.phase == LegPhase::transfer &&
              time_to_go(lane, way.norm(), params) < params.overlap_time &&
              lane.apex_z - height < 0.3 * lane.step.profile_height) {
@@ -149,17 +149,17 @@ void descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB
   const bool found = sensed.contact && lane.cleared;
   if (found) return land(lane);
   if (!sensed.reachable || sensed.tracking_error > params.blocked_error) {
-    lane.reach_share *= 0.6;
+    lane.reach_fraction *= 0.6;
     return retreat(lane, params);
   }
 
-  // The last centimetres straight down, so that the foot comes down without sliding.
+  // Straight down over the last centimetres, so that the foot does not slide.
   const bool committed = height < lane.step.p_OT.z() + params.commit_height;
   move_sideways(lane, committed ? Vector2::Zero() : way_to_go(lane, X_OB), dt, params);
   move_down(lane, height, dt, params);
 }
 
-// As far as the curve goes in this time, and back to it. (Of what joints do, the executor knows.)
+// (plan 1)
 void follow_curve(LegLane& lane, LegPlan& plan, const Pose& X_OB, double dt, double rate,
                   const SwingParams& params) {
   const PointState to = plan.foot.along(lane.time);
@@ -177,7 +177,7 @@ void follow_curve(LegLane& lane, LegPlan& plan, const Pose& X_OB, double dt, dou
   lane.p_plan = to.p;
 }
 
-// No ground where the plan ended, or where it was: on against the surface normal.
+// Moves against the surface normal until there is contact.
 void search(LegLane& lane, const LegSensed& sensed, double dt, const SwingParams& params) {
   lane.cleared = lane.cleared || !sensed.contact;
   if (sensed.contact && lane.cleared) return land(lane);
@@ -230,7 +230,7 @@ const char* to_string(LegPhase phase) noexcept {
   return "?";
 }
 
-void command(LegLane& lane, const Footstep& step, const Pose& X_OB) noexcept {
+void command(LegLane& lane, const FootstepCommand& step, const Pose& X_OB) noexcept {
   const bool starts = lane.phase == LegPhase::support;
   lane.step = step;
   if (!starts) return;
@@ -266,8 +266,8 @@ void follow(LegLane& lane, LegPlan& plan, const LegSensed& sensed, const Pose& X
   enter(lane, plan.lands ? LegPhase::search : LegPhase::hold);
 }
 
-// A leg that was about to leave has to prove that it still stands: nobody has looked since. One
-// that has not left yet stands as soon as it is told to.
+// A leg that was unloading goes back to support, which contact must confirm anew. A leg that has
+// not left the ground yet lands at the first contact.
 void interrupt(LegLane& lane, bool to_stand) noexcept {
   if (lane.phase == LegPhase::unload) {
     enter(lane, LegPhase::support);
@@ -302,7 +302,7 @@ void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt
     case LegPhase::search:
       search(lane, sensed, dt, params);
       break;
-    case LegPhase::follow:  // has a function of its own
+    case LegPhase::follow:  // see follow()
     case LegPhase::hold:
       lane.v_O.setZero();
       lane.a_O.setZero();
@@ -310,7 +310,7 @@ void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt
   }
   if (lane.phase != LegPhase::support) ramp(lane.load, 0.0, dt / params.unload_time);
 
-  // Semi-implicit: the new velocity moves the point.
+  // Semi-implicit Euler: the new velocity moves the set point.
   lane.v_O += dt * lane.a_O;
   lane.p_BF += X_OB.R.transpose() * (dt * lane.v_O);
 }

@@ -326,7 +326,7 @@ TEST(LostContact, StartsAfreshWhateverTheStepBeforeWas) {
   swing.lane.p_OL = {-7.0, 3.0, -2.0};
   swing.lane.apex_z = -1.9;
   swing.lane.retreats = 5;
-  swing.lane.reach_share = 0.2;
+  swing.lane.reach_fraction = 0.2;
   swing.lane.step.profile_height = 0.1;
   swing.touches = [](const Vector3&) { return false; };
   swing.until(LegPhase::descend);

@@ -10,24 +10,25 @@
 
 namespace hexagait {
 
-/// A motion of one leg over time, ready to be executed: what a command of a script becomes when its
-/// step starts.
+/// A motion of one leg over time: what a command of a script is resolved into when its step
+/// starts.
 struct LegPlan {
   enum class Kind : std::uint8_t {
     foot,    ///< the foot along a curve
     joints,  ///< the joints along a curve
-    keep,    ///< everything stays as it is
+    keep,    ///< no motion
   };
   Kind kind = Kind::keep;
   double duration = 0.0;  ///< [s]
-  FootCurve foot;         ///< in odom or, if in_body, in the body frame
-  bool in_body = false;   ///< of a foot's curve
+  FootCurve foot;         ///< in odom, or in the body frame
+  bool in_body = false;   ///< `foot` is in the body frame
   JointCurve joints;      ///< [rad]
   ControlMode mode = ControlMode::position;
   Vector3 force_O = Vector3::Zero();    ///< of the foot on the world, fed forward [N]
   Vector3 normal_O = Vector3::UnitZ();  ///< of the ground that is expected, unit vector
-  bool lands = true;                    ///< to be a support leg at the end
+  bool lands = true;                    ///< the leg becomes a support leg at the end
 
+  /// Does the leg move with the body?
   [[nodiscard]] bool with_body() const { return kind != Kind::foot || in_body; }
 };
 

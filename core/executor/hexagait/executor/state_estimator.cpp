@@ -7,7 +7,7 @@
 namespace hexagait {
 namespace {
 
-// Without contact sensors: a foot touches down where the ground was expected.
+// Contact without a sensor: at the expected height of the ground.
 bool planned_contact(const LegLane& lane, const Pose& X_OB) {
   switch (lane.phase) {
     case LegPhase::support:

@@ -7,25 +7,28 @@
 
 namespace hexagait {
 
-/// Which sensors the robot has. What is missing is assumed to go as planned: without any the same
-/// controller previews what it would do on ground that is as expected.
+/// Which sensors the robot has. Without a sensor, things are assumed to go as planned; without any,
+/// the controller previews what it would do on the expected ground.
 struct SensorMask {
-  bool joint_feedback = true;  ///< without: the targets count as measured
-  bool foot_contacts = true;   ///< without: the ground is where and when it was planned
+  bool joint_feedback = true;  ///< without: joints are assumed to be at their targets
+  bool foot_contacts = true;   ///< without: feet touch the ground where and when planned
 };
 
-/// From what the robot measures to what the controller knows: joints, feet, contacts, odometry.
+/// Computes the RobotState from measurements: joints, feet, contacts, odometry. The robot model
+/// must outlive the estimator.
 class StateEstimator {
  public:
   StateEstimator(const RobotModel& model, SensorMask sensors)
       : model_(&model), sensors_(sensors), odometry_(model) {}
+  StateEstimator(const RobotModel&&, SensorMask) = delete;
 
-  /// The state of a robot that is taken over.
+  /// The state from which a controller starts.
   /// @throws InvalidInput  if a joint position is missing or not finite
   [[nodiscard]] RobotState start(const Measurement& measurement, RestsOn rests_on = RestsOn::feet);
 
-  /// @param measurement  valid()
-  /// @param executor     as the last tick left it: what was planned, and which feet to rely on
+  /// @param measurement  must be valid()
+  /// @param executor     after the previous tick: the plan, and which feet carry load
+  /// @param dt           control period [s]
   void update(RobotState& state, const Measurement& measurement, const Executor& executor,
               double dt) noexcept;
 

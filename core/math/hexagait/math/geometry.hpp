@@ -26,7 +26,7 @@ struct Pose {
   friend Vector3 operator*(const Pose& X_AB, const Vector3& p_B) { return X_AB.R * p_B + X_AB.p; }
 };
 
-/// A rigid displacement per second (or per step): the twist of a body, expressed in that body.
+/// The twist of a body, expressed in the axes of that body.
 struct Twist {
   Vector3 v = Vector3::Zero();  ///< linear velocity of the body's origin [m/s]
   Vector3 w = Vector3::Zero();  ///< angular velocity [rad/s]
@@ -55,18 +55,30 @@ struct Twist {
 /// R with its columns made orthonormal again (one Gram-Schmidt pass): removes rounding drift.
 [[nodiscard]] Matrix3 orthonormalised(const Matrix3& R);
 
-/// Where two lines through points p along unit vectors a come nearest to each other. If they are
-/// parallel, that is everywhere: p_2 and the point across from it are taken.
+/// [a]×, the matrix for which [a]× b = a × b.
+[[nodiscard]] inline Matrix3 cross_matrix(const Vector3& a) {
+  return (Matrix3() << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0).finished();
+}
+
+/// The displacement that rotates everything by R about an axis through the point p [m].
+[[nodiscard]] inline Pose rotation_about(const Vector3& p, const Matrix3& R) {
+  return {R, p - R * p};
+}
+
+/// The points of two lines that are closest to each other [m].
 struct NearestPoints {
   Vector3 on_first = Vector3::Zero(), on_second = Vector3::Zero();
 };
+
+/// The closest points of the lines through p_1 and p_2 [m] along the unit vectors a_1 and a_2. Of
+/// parallel lines: p_2 and its projection onto the first line.
 [[nodiscard]] NearestPoints nearest_points(const Vector3& p_1, const Vector3& a_1,
                                            const Vector3& p_2, const Vector3& a_2);
 
-/// z × v: v turned by +90° about z, in the plane; z is dropped.
+/// z × v: v rotated by +90° about z.
 [[nodiscard]] inline Vector2 perpendicular(const Vector2& v) { return {-v.y(), v.x()}; }
 
-/// z-component of a × b of two plane vectors.
+/// z component of a × b.
 [[nodiscard]] inline double cross(const Vector2& a, const Vector2& b) {
   return a.x() * b.y() - a.y() * b.x();
 }

@@ -11,15 +11,15 @@
 
 namespace hexagait {
 
-/// Largest number of legs a robot may have. Per-leg storage is inline up to this count.
+/// Largest number of legs of a robot. Storage per leg is inline, without allocation.
 inline constexpr int kMaxLegs = 12;
 
-/// Fewest and most joints that a leg may have. Legs of one robot may differ.
+/// Smallest and largest number of joints of a leg. Legs of one robot may differ.
 inline constexpr int kMinLegJoints = 3;
 inline constexpr int kMaxLegJoints = 6;
 
-/// Index of a leg, 0 … n − 1. Even indices are left legs, odd ones right legs, pairs count from the
-/// front: for six legs 0 … 5 = LF RF LM RM LR RR, which are legs 1 … 6 of [PC04] Fig. 2.
+/// Index of a leg, 0 … n − 1. Left legs are even, right legs odd, and pairs are counted from the
+/// front: of six legs, 0 … 5 are LF RF LM RM LR RR, legs 1 … 6 of [PC04] Fig. 2.
 using LegId = int;
 
 /// A set of legs, one bit per leg.
@@ -50,7 +50,7 @@ class LegSet {
   std::uint32_t bits_ = 0;
 };
 
-/// Up to kCapacity values, stored inline, by index from 0.
+/// An array of up to kCapacity values, stored inline.
 template <class T, int kCapacity>
 class InlineArray {
  public:
@@ -87,11 +87,11 @@ class InlineArray {
   int size_ = 0;
 };
 
-/// One value per leg. The number of legs is a property of the robot, set once.
+/// One value per leg.
 template <class T>
 using LegArray = InlineArray<T, kMaxLegs>;
 
-/// One value per joint of a leg, hip to foot.
+/// One value per joint of a leg, from hip to foot.
 template <class T>
 using JointArray = InlineArray<T, kMaxLegJoints>;
 

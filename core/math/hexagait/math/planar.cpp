@@ -5,7 +5,7 @@
 namespace hexagait {
 namespace {
 
-// sin(x)/x and (1 − cos x)/x, smooth through 0: below 1e-4 the series err by less than 1e-17.
+// sin(x)/x and (1 − cos x)/x. Below 1e-4 the series are accurate to 1e-17.
 double sinc(double x) { return std::abs(x) < 1e-4 ? 1.0 - x * x / 6.0 : std::sin(x) / x; }
 double cosc(double x) {
   const double half = std::sin(0.5 * x);

@@ -6,14 +6,14 @@
 
 namespace hexagait {
 
-/// Motion of the body in its horizontal plane, per unit of something (a second, or a metre of
-/// path). Expressed in the body frame: the origin moves along v while the body turns at w about z.
+/// A planar twist in the body frame: the origin moves along v while the body turns at w about z.
+/// Per second or per metre of path, as the user says.
 struct PlanarTwist {
-  Vector2 v = Vector2::Zero();
-  double w = 0.0;
+  Vector2 v = Vector2::Zero();  ///< [m/s] or [m/m]
+  double w = 0.0;               ///< [rad/s] or [rad/m]
 };
 
-/// A displacement in the plane: turn by angle, then shift. p' = Rz(angle) p + shift.
+/// A planar displacement: p' = Rz(angle) p + shift.
 struct PlanarPose {
   double angle = 0.0;               ///< [rad]
   Vector2 shift = Vector2::Zero();  ///< [m]
@@ -32,11 +32,12 @@ struct PlanarPose {
   }
 };
 
-/// The displacement after following `twist` for a length (or time) s: the exponential map of SE(2).
-/// Exact for all w·s, also 0.
+/// The displacement after following `twist` for a time or path length s: the exponential map of
+/// SE(2). Accurate for every w·s, including 0.
 [[nodiscard]] PlanarPose exponential(const PlanarTwist& twist, double s);
 
-/// The twist that leads to `pose` in one unit; inverse of exponential(·, 1) for |angle| < π.
+/// The twist that reaches `pose` in one second (or metre): the inverse of exponential(·, 1) for
+/// |angle| < π.
 [[nodiscard]] PlanarTwist logarithm(const PlanarPose& pose);
 
 }  // namespace hexagait

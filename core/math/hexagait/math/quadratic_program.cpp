@@ -8,18 +8,19 @@
 namespace hexagait {
 namespace {
 
-constexpr double kFeasible = 1e-9;   // violation that is rounding, of |a| |x| + |b|
-constexpr double kRounding = 1e-14;  // what the longest x on the way leaves behind in the others
-constexpr double kParallel = 1e-9;   // sine of the angle between normals that count as parallel
+constexpr double kFeasible = 1e-9;   // tolerated violation, relative to |a| |x| + |b|
+constexpr double kRounding = 1e-14;  // the same, relative to the longest x of any iteration
+constexpr double kParallel = 1e-9;   // normals at an angle with a smaller sine count as parallel
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 constexpr auto at(int i) { return static_cast<std::size_t>(i); }
 
-/// The method's state. With N the active normals, J and R are such that
+/// The state of the solver. With N the active normals, J and R satisfy
 ///
 ///     Jᵀ H J = 1,   Jᵀ N = (R; 0),   R upper triangular:
 ///
-/// the first q columns of J span the active normals in the metric of H⁻¹, the others what is free.
+/// The first q columns of J span the active normals in the metric of H⁻¹, the others the directions
+/// in which x may still move.
 template <int Variables, int MaxVariables, int MaxConstraints>
 class DualActiveSet {
  public:
@@ -48,7 +49,7 @@ class DualActiveSet {
   }
 
  private:
-  // H = L Lᵀ, J = L⁻ᵀ, x = −J Jᵀ g. Pivots that rounding could have made count as none.
+  // H = L Lᵀ, J = L⁻ᵀ, x = −J Jᵀ g. Pivots within rounding of 0 mean that H is not convex.
   bool minimise_without_constraints() {
     Matrix L = program_.H;
     for (int j = 0; j < n_; ++j) {
@@ -88,8 +89,8 @@ class DualActiveSet {
     return worst;
   }
 
-  // Raises the multiplier of constraint p until it holds. Active ones whose multiplier would become
-  // negative on the way are given up.
+  // Raises the multiplier of constraint p until p holds. Active constraints whose multiplier would
+  // become negative meanwhile are dropped.
   void make_active(int p, int limit) {
     double u_p = 0.0;
     while (out_.iterations++ < limit) {
@@ -98,7 +99,7 @@ class DualActiveSet {
       const double free = norm_from(d, q);
       const Vector r = multipliers_fall(d);
 
-      // How far until an active constraint lets go, and how far until p holds?
+      // Step length until an active multiplier reaches 0, and until p holds.
       const auto [t_dual, blocking] = largest_dual_step(r);
       const double slack = program_.b[at(p)] - program_.a[at(p)].dot(out_.x);
       const bool can_move = free > kParallel * d.norm();
@@ -123,7 +124,7 @@ class DualActiveSet {
     return std::sqrt(sum);
   }
 
-  // R⁻¹ d: by how much the active multipliers fall per unit of the new one.
+  // R⁻¹ d: decrease of the active multipliers per unit of the new one.
   Vector multipliers_fall(const Vector& d) const {
     Vector r(n_);
     for (int k = out_.num_active - 1; k >= 0; --k) {
@@ -155,7 +156,7 @@ class DualActiveSet {
     ++out_.num_active;
   }
 
-  // Reflects the free columns of J so that the first of them takes up all of the new normal.
+  // A reflection of the free columns of J, after which only the first meets the new normal.
   void append(int p, double u_p, Vector& d, double free) {
     const int q = out_.num_active;
     const double reflected = d[q] >= 0.0 ? -free : free;
@@ -171,7 +172,7 @@ class DualActiveSet {
     ++out_.num_active;
   }
 
-  // Takes column k out of R; plane rotations make the rest upper triangular again.
+  // Removes column k of R; plane rotations make the rest upper triangular again.
   void drop(int k) {
     const int q = --out_.num_active;
     for (int j = k; j < q; ++j) {

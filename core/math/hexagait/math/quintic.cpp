@@ -16,7 +16,7 @@ PointState Quintic::at(double t) const noexcept {
 }
 
 Quintic quintic(const PointState& from, const PointState& to, double duration) noexcept {
-  // What the parabola that `from` begins misses at the end, in units of the duration.
+  // End state minus that of the parabola that starts at `from`, in units of the duration.
   const double T = duration, per_T3 = 1.0 / (T * T * T);
   const Vector3 missing_p = to.p - from.p - T * (from.v + 0.5 * T * from.a);
   const Vector3 missing_v = T * (to.v - from.v - T * from.a);

@@ -10,19 +10,19 @@
 
 namespace hexagait {
 
-/// Where a point is and how it moves: of a foot [m], or the three joints of a leg [rad].
+/// Position, velocity and acceleration of a point [m], or of three joints [rad].
 struct PointState {
   Vector3 p = Vector3::Zero();  ///< position
   Vector3 v = Vector3::Zero();  ///< velocity [1/s]
   Vector3 a = Vector3::Zero();  ///< acceleration [1/s²]
 };
 
-/// The polynomial of degree 5 that meets position, velocity and acceleration at both ends. From
+/// The polynomial of degree 5 with given position, velocity and acceleration at both ends. From
 /// rest to rest it is the minimum-jerk motion σ(τ) = 10τ³ − 15τ⁴ + 6τ⁵ (Flash & Hogan 1985).
 struct Quintic {
-  std::array<Vector3, 6> c;  ///< of t⁰ … t⁵
+  std::array<Vector3, 6> c;  ///< coefficients of t⁰ … t⁵
 
-  /// @param t  since the begin [s]; between the ends
+  /// @param t  since the start [s], in [0, duration]
   [[nodiscard]] PointState at(double t) const noexcept;
 };
 
@@ -30,19 +30,19 @@ struct Quintic {
 [[nodiscard]] Quintic quintic(const PointState& from, const PointState& to,
                               double duration) noexcept;
 
-/// One value of it.
-/// @param t  since `from` [s]; the ends hold before and after
+/// The value of quintic(from, to, duration) at one time.
+/// @param t  since `from` [s]; clamped into [0, duration], where `from` and `to` stand
 [[nodiscard]] PointState quintic(const PointState& from, const PointState& to, double duration,
                                  double t) noexcept;
 
-/// Peak over mean speed of the minimum-jerk motion: σ'(½).
+/// Ratio of peak to mean speed of the minimum-jerk motion: σ'(½).
 inline constexpr double kMinimumJerkPeak = 1.875;
 
-/// Velocity and acceleration at the middle one of three knots: those of the parabola through them.
+/// Velocity and acceleration at the middle of three knots, of the parabola through them:
 ///
 ///     v = (T₊ s₋ + T₋ s₊) / (T₋ + T₊),   a = 2 (s₊ − s₋) / (T₋ + T₊)
 ///
-/// s₋, s₊ are the mean velocities before and after the knot, T₋, T₊ the times these take.
+/// with s₋, s₊ the mean velocities of the segments before and after it and T₋, T₊ their durations.
 struct KnotRates {
   Vector3 v = Vector3::Zero();
   Vector3 a = Vector3::Zero();
@@ -50,8 +50,8 @@ struct KnotRates {
 [[nodiscard]] KnotRates parabola_rates(const Vector3& slope_before, double time_before,
                                        const Vector3& slope_after, double time_after) noexcept;
 
-/// The knots that a curve can use: those later than 0, up to the first that isn't later than the
-/// one before it, at most `capacity`. The loaders refuse what would be left out here.
+/// The knots that a curve can use: those after time 0, up to the first whose time does not
+/// increase, at most `capacity`.
 template <class Knot>
 [[nodiscard]] std::span<const Knot> usable_knots(std::span<const Knot> knots,
                                                  std::size_t capacity) noexcept {
@@ -64,12 +64,11 @@ template <class Knot>
   return knots.subspan(first, count);
 }
 
-/// A motion through given PointStates at given times, a quintic() between neighbours. Position,
-/// velocity and acceleration are continuous (C2) whatever the states are: who makes a motion
-/// chooses states, and has nothing left to do for continuity.
+/// A motion through given PointStates at given times: a quintic() between each two. Position,
+/// velocity and acceleration are continuous (C2) for any choice of states.
 ///
-/// Only reserve() allocates. A value: a copy has the same room, and assignment to a spline that has
-/// as much room doesn't allocate.
+/// Only reserve() allocates. A value: a copy has the same capacity, and assignment to a spline of
+/// sufficient capacity does not allocate.
 class QuinticSpline {
  public:
   QuinticSpline() = default;
@@ -79,20 +78,21 @@ class QuinticSpline {
   QuinticSpline& operator=(QuinticSpline&&) noexcept = default;
   ~QuinticSpline() = default;
 
-  /// Room for so many nodes.
+  /// Allocates space for this many nodes.
   void reserve(std::size_t nodes) { nodes_.reserve(nodes); }
   [[nodiscard]] std::size_t capacity() const noexcept { return nodes_.capacity(); }
 
-  /// Forgets all nodes and begins at time 0. Without any room nothing is kept.
+  /// Removes all nodes and adds one at time 0. Does nothing without capacity.
   void start(const PointState& state) noexcept;
-  /// @pre time is later than that of the last node, and there is room; else nothing happens
+  /// Adds a node. Does nothing if `time` is not after that of the last node, or the spline is full.
   void add(double time, const PointState& state) noexcept;
 
-  /// Time of the last node [s]; 0 if there is none.
+  /// Time of the last node [s]; 0 without nodes.
   [[nodiscard]] double duration() const noexcept;
-  /// @param t  clamped into [0, duration()] [s]; a spline without nodes is at rest at 0
+  /// @param t  clamped into [0, duration()] [s]
+  /// @returns position, velocity and acceleration; zero without nodes
   [[nodiscard]] PointState at(double t) const noexcept;
-  /// The same for who goes along: remembers the polynomial of the segment that it is in.
+  /// As at(), faster for times that increase: caches the polynomial of the present segment.
   [[nodiscard]] PointState along(double t) noexcept;
 
   struct Node {
@@ -100,12 +100,13 @@ class QuinticSpline {
     PointState state;
   };
   [[nodiscard]] std::span<const Node> nodes() const noexcept { return nodes_; }
-  /// Index of the node before t, at most the last but one. @pre two nodes or more
+  /// Index of the node that starts the segment at t.
+  /// @pre at least two nodes
   [[nodiscard]] std::size_t segment(double t) const noexcept;
 
  private:
   std::vector<Node> nodes_;
-  Quintic piece_;  ///< from piece_begin_ to piece_end_, if that is later
+  Quintic piece_;  ///< cached, for [piece_begin_, piece_end_]; none if these are equal
   double piece_begin_ = 0.0, piece_end_ = 0.0;
 };
 

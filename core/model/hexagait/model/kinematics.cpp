@@ -19,11 +19,9 @@ LegJoints own_joints(const LegModel& leg, const LegJoints& q) noexcept {
 
 Pose link_pose(const LegModel& leg, int link, const LegJoints& q) noexcept {
   assert(0 <= link && link < leg.num_joints());
-  Pose X_BB0;  // what the joints up to the link do to the body as it stands at zero
-  for (int i = 0; i <= link; ++i) {
-    const Matrix3 R = rotation(leg.axis_B0[i] * q[i]);
-    X_BB0 = X_BB0 * Pose{R, leg.p_BJ0[i] - R * leg.p_BJ0[i]};
-  }
+  Pose X_BB0;  // displacement of the link from its pose with all joints at zero
+  for (int i = 0; i <= link; ++i)
+    X_BB0 = X_BB0 * rotation_about(leg.p_BJ0[i], rotation(leg.axis_B0[i] * q[i]));
   return X_BB0 * leg.links[link].X_BL0;
 }
 

@@ -8,70 +8,70 @@
 
 namespace hexagait {
 
-// Forward and inverse kinematics of a leg, by its kind: in closed form for yaw_pitch_pitch, by
-// iteration for serial. Fit for a control loop: nothing here allocates or throws, iterations are
-// bounded, and forward kinematics, Jacobian, tibia orientation and inverse kinematics share one set
-// of sines and cosines per leg.
+// Forward and inverse kinematics of a leg: in closed form for yaw_pitch_pitch, by iteration for
+// serial. For use in a control loop: nothing here allocates or throws, iterations are bounded, and
+// all functions share one set of sines and cosines per leg.
+
+/// Calls f with the LegKinematics of the leg's kind.
+template <class F>
+[[nodiscard]] auto by_kind(const LegModel& leg, F f) noexcept {
+  return leg.kind == LegKind::serial ? f(SerialLeg{}) : f(YawPitchPitchLeg{});
+}
 
 /// @param q  joint values in the robot's own signs and zeros [rad]
 [[nodiscard]] inline LegTrig leg_trig(const LegModel& leg, const LegJoints& q) noexcept {
-  return leg.kind == LegKind::serial ? serial::leg_trig(leg, q) : yaw_pitch_pitch::leg_trig(leg, q);
+  return by_kind(leg, [&]<class Kind>(Kind) { return Kind::leg_trig(leg, q); });
 }
 
 /// Foot centre p_BF [m].
 [[nodiscard]] inline Vector3 foot_position(const LegModel& leg, const LegTrig& trig) noexcept {
-  return leg.kind == LegKind::serial ? serial::foot_position(leg, trig)
-                                     : yaw_pitch_pitch::foot_position(leg, trig);
+  return by_kind(leg, [&]<class Kind>(Kind) { return Kind::foot_position(leg, trig); });
 }
 [[nodiscard]] inline Vector3 foot_position(const LegModel& leg, const LegJoints& q) noexcept {
   return foot_position(leg, leg_trig(leg, q));
 }
 
-/// ∂p_BF/∂q [m/rad], by the robot's own joint values q.
+/// ∂p_BF/∂q [m/rad], with q in the robot's own signs and zeros.
 [[nodiscard]] inline LegJacobian foot_jacobian(const LegModel& leg, const LegTrig& trig) noexcept {
-  return leg.kind == LegKind::serial ? serial::foot_jacobian(leg, trig)
-                                     : yaw_pitch_pitch::foot_jacobian(leg, trig);
+  return by_kind(leg, [&]<class Kind>(Kind) { return Kind::foot_jacobian(leg, trig); });
 }
 
-/// R_BT of a frame T that is fixed to the link with the foot.
+/// R_BT of a frame T that is fixed to the last link.
 [[nodiscard]] inline Matrix3 tibia_rotation(const LegModel& leg, const LegTrig& trig) noexcept {
-  return leg.kind == LegKind::serial ? serial::tibia_rotation(leg, trig)
-                                     : yaw_pitch_pitch::tibia_rotation(leg, trig);
+  return by_kind(leg, [&]<class Kind>(Kind) { return Kind::tibia_rotation(leg, trig); });
 }
 
-/// Rotation, in the body frame, of the link with the foot when the joints change by dq, to second
-/// order [rad].
-/// @param trig  the angles at which the change begins
+/// Rotation vector of the last link, in the body frame, when the joints change by dq; accurate to
+/// second order [rad].
+/// @param trig  of the joint values before the change
 [[nodiscard]] inline Vector3 tibia_turn(const LegModel& leg, const LegTrig& trig,
                                         const LegJoints& dq) noexcept {
-  return leg.kind == LegKind::serial ? serial::tibia_turn(leg, trig, dq)
-                                     : yaw_pitch_pitch::tibia_turn(leg, trig, dq);
+  return by_kind(leg, [&]<class Kind>(Kind) { return Kind::tibia_turn(leg, trig, dq); });
 }
 
-/// Are all joints within their limits? An excess of up to 1e-9 rad (rounding) is allowed.
+/// Are all joints within their limits, up to a rounding error of 1e-9 rad?
 [[nodiscard]] bool within_limits(const LegModel& leg, const LegJoints& q) noexcept;
 
-/// The joints that the leg has, and 0 for the rest, whatever stood there.
+/// q with the entries beyond the leg's joints set to 0, whatever they were.
 [[nodiscard]] LegJoints own_joints(const LegModel& leg, const LegJoints& q) noexcept;
 
-/// Joint values that put the foot at p_BF; where there are none, those that bring it near.
+/// Joint values that put the foot at p_BF, or close to it if it is out of reach.
 /// @param p_BF  foot centre in the body frame [m]; any finite value
-/// @param near  where the search begins and, of several answers, which one is meant: the joint
-///              values before [rad]. The closed form needs none.
+/// @param near  joint values [rad], usually the previous ones: where the search of a serial leg
+///              starts, and which of several solutions it finds
 [[nodiscard]] inline LegSolution inverse_kinematics(const LegModel& leg, const Vector3& p_BF,
                                                     const LegJoints& near) noexcept {
-  return leg.kind == LegKind::serial ? serial::inverse_kinematics(leg, p_BF, near)
-                                     : yaw_pitch_pitch::inverse_kinematics(leg, p_BF);
+  return by_kind(leg, [&]<class Kind>(Kind) { return Kind::inverse_kinematics(leg, p_BF, near); });
 }
+
 /// The same, near the nominal stance.
 [[nodiscard]] inline LegSolution inverse_kinematics(const LegModel& leg,
                                                     const Vector3& p_BF) noexcept {
   return inverse_kinematics(leg, p_BF, leg.q_nominal);
 }
 
-/// X_BL of a link (0 … num_joints − 1), as the product of the rotations about the joint axes of
-/// LegModel. Slower than the functions above and independent of them: for simulators, and as an
-/// oracle.
+/// Pose X_BL of a link (0 … num_joints − 1), as the product of rotations about the joint axes of
+/// LegModel. Slower than the functions above and independent of them: for simulators and tests.
 [[nodiscard]] Pose link_pose(const LegModel& leg, int link, const LegJoints& q) noexcept;
 
 }  // namespace hexagait

@@ -2,25 +2,45 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <concepts>
 #include <hexagait/model/robot_model.hpp>
 
 namespace hexagait {
 
-/// Sines and cosines of one leg's angles: of a yaw-pitch-pitch leg the canonical k₁, k₂ and
-/// k₂ + k₃, of a serial leg its joint values q. Those that a leg doesn't have are of 0, or stay.
+/// Cosines and sines of one leg's angles: of a yaw-pitch-pitch leg the canonical k₁, k₂ and
+/// k₂ + k₃; of a serial leg its joint values q. Entries beyond the leg's joints are not used.
 struct LegTrig {
   LegJoints c = LegJoints::Ones();
   LegJoints s = LegJoints::Zero();
 };
 
-/// What inverse_kinematics() found.
+/// The result of inverse_kinematics().
 struct LegSolution {
-  LegJoints q = LegJoints::Zero();  ///< joint values, never outside their limits [rad]
+  LegJoints q = LegJoints::Zero();  ///< joint values, always within their limits [rad]
   LegTrig trig;                     ///< of q
-  bool reachable = false;           ///< is the foot where it was asked to be?
+  bool reachable = false;           ///< the foot is at the requested place, to 1 nm
 };
 
-/// Is q within the limits? An excess of up to 1e-9 rad (rounding) is allowed.
+/// The functions that the kinematics of one kind of leg consist of; kinematics.hpp specifies them
+/// and calls those of a leg's kind.
+template <class Kind>
+concept LegKinematics = requires(const LegModel& leg, const LegJoints& q, const LegTrig& trig,
+                                 const Vector3& p_BF) {
+  { Kind::leg_trig(leg, q) }
+  noexcept->std::same_as<LegTrig>;
+  { Kind::foot_position(leg, trig) }
+  noexcept->std::same_as<Vector3>;
+  { Kind::foot_jacobian(leg, trig) }
+  noexcept->std::same_as<LegJacobian>;
+  { Kind::tibia_rotation(leg, trig) }
+  noexcept->std::same_as<Matrix3>;
+  { Kind::tibia_turn(leg, trig, q) }
+  noexcept->std::same_as<Vector3>;
+  { Kind::inverse_kinematics(leg, p_BF, q) }
+  noexcept->std::same_as<LegSolution>;
+};
+
+/// Is q within the limits, up to a rounding error of 1e-9 rad?
 [[nodiscard]] inline bool within(const JointLimits& limits, double q) noexcept {
   constexpr double kRounding = 1e-9;
   return limits.lower - kRounding <= q && q <= limits.upper + kRounding;

@@ -6,7 +6,7 @@
 namespace hexagait {
 namespace {
 
-// Inertia about p_BM of a link at X_BL (Steiner).
+// Inertia of a link at X_BL about p_BM (Steiner).
 Matrix3 inertia_about(const Vector3& p_BM, const LinkModel& link, const Pose& X_BL) {
   const Vector3 arm = X_BL * link.p_LM - p_BM;
   return X_BL.R * link.inertia_M_L * X_BL.R.transpose() +
@@ -19,18 +19,17 @@ LegWeight leg_weight(const LegModel& leg, const LegJoints& q, const Vector3& g_u
   const int joints = leg.num_joints();
   JointArray<Vector3> p_BJ(joints), axis_B(joints), moment_B(joints);
 
-  // From the hip outwards: where the joints are, and the links' centres of mass.
-  Pose X_BB0;  // what the joints so far do to the leg as it is at zero
+  // From the hip outwards: joints and centres of mass of the links.
+  Pose X_BB0;  // displacement of the present link from its pose with all joints at zero
   for (int i = 0; i < joints; ++i) {
     p_BJ[i] = X_BB0 * leg.p_BJ0[i];
     axis_B[i] = X_BB0.R * leg.axis_B0[i];
-    const Matrix3 R = rotation(leg.axis_B0[i] * q[i]);
-    X_BB0 = X_BB0 * Pose{R, leg.p_BJ0[i] - R * leg.p_BJ0[i]};
+    X_BB0 = X_BB0 * rotation_about(leg.p_BJ0[i], rotation(leg.axis_B0[i] * q[i]));
     const LinkModel& link = leg.links[i];
     moment_B[i] = link.mass * (X_BB0 * (link.X_BL0 * link.p_LM));
   }
 
-  // And back: each joint holds all that is outside of it.
+  // Back inwards: each joint holds all links beyond it.
   LegWeight weight;
   double mass = 0.0;
   for (int i = joints; i-- > 0;) {

@@ -13,14 +13,14 @@
 
 namespace hexagait {
 
-/// Joint values of one leg, hip to foot, in the robot's own signs and zeros (those of its URDF)
-/// [rad], [rad/s] or [N m]. A leg of fewer joints leaves the last entries 0; these play no part.
+/// Joint values of one leg, from hip to foot, in the signs and zeros of the robot's URDF [rad],
+/// [rad/s] or [N m]. Entries beyond the leg's joints are 0 and not used.
 using LegJoints = Eigen::Vector<double, kMaxLegJoints>;
 
-/// ∂p/∂q of a point of a leg [m/rad]; columns of joints that it doesn't have are 0.
+/// ∂p/∂q of a point of a leg [m/rad]; columns beyond the leg's joints are 0.
 using LegJacobian = Eigen::Matrix<double, 3, kMaxLegJoints>;
 
-/// Joint values from a list, hip to foot; 0 for the rest.
+/// Joint values from a list, from hip to foot; the rest are 0.
 [[nodiscard]] inline LegJoints leg_joints(std::initializer_list<double> values) {
   assert(static_cast<int>(values.size()) <= kMaxLegJoints);
   LegJoints joints = LegJoints::Zero();
@@ -35,7 +35,7 @@ struct JointLimits {
   double effort = 100.0;             ///< [N m]
 };
 
-/// Collision shape of a link. Cylinders lie along their own z.
+/// Collision shape of a link. The axis of a cylinder is its z.
 struct Shape {
   enum class Kind { box, cylinder, sphere };
   Kind kind = Kind::box;
@@ -43,17 +43,17 @@ struct Shape {
   Pose X_LS;                       ///< in the link frame L
 };
 
-/// A rigid link. With all joints at zero its frame L stands at X_BL0 in the body frame B.
+/// A rigid link with frame L.
 struct LinkModel {
   std::string name;
   double mass = 0.0;                      ///< [kg]
   Vector3 p_LM = Vector3::Zero();         ///< centre of mass in L [m]
   Matrix3 inertia_M_L = Matrix3::Zero();  ///< about the centre of mass, axes of L [kg m²]
   std::vector<Shape> shapes;
-  Pose X_BL0;
+  Pose X_BL0;  ///< pose of L in the body frame with all joints at zero
 };
 
-/// How a leg's kinematics are computed.
+/// How the kinematics of a leg are computed.
 enum class LegKind : std::uint8_t {
   yaw_pitch_pitch,  ///< three joints, in closed form: yaw_pitch_pitch.hpp
   serial,           ///< 3 to 6 joints about any axes, by iteration: serial_leg.hpp
@@ -61,20 +61,19 @@ enum class LegKind : std::uint8_t {
 
 /// A leg: a chain of revolute joints that ends in a spherical foot.
 ///
-/// Yaw-pitch-pitch: the hip frame H stands on the yaw axis at the height of the hip-pitch axis, z
-/// up, x outwards along the leg at canonical yaw 0. In H, with canonical angles k, of which
-/// positive pitch turns the leg downwards:
+/// Yaw-pitch-pitch: the origin of the hip frame H is on the yaw axis at the height of the hip-pitch
+/// axis; z is up, x points outwards along the leg at canonical yaw 0. With canonical angles k,
+/// where positive pitch turns the leg downwards, the foot is in H at
 ///
-///     foot = Rz(k₁) · (coxa + femur cos k₂ + tibia cos(k₂+k₃), 0, −femur sin k₂ − tibia
-///     sin(k₂+k₃))
+///     p_HF = Rz(k₁) (coxa + femur cos k₂ + tibia cos(k₂+k₃), 0, −femur sin k₂ − tibia sin(k₂+k₃))
 ///
-/// The robot's own joint values q follow by k = sign · q + offset.
+/// The robot's own joint values q follow from k = sign · q + offset.
 ///
-/// Serial: H stands where the first axis is nearest to the second, z up, x outwards; the lengths,
-/// signs and offsets aren't used.
+/// Serial: the origin of H is the point of the first axis closest to the second; z is up, x points
+/// outwards. The lengths, signs and offsets are not used.
 ///
-/// How all this is derived from the URDF: recognise_leg(); the workspace: leg_reach(),
-/// nominal_foot(), reachable_radius(), take_serial_stance().
+/// Derived from the URDF by recognise_leg(), and the workspace by leg_reach(), nominal_foot(),
+/// reachable_radius() and take_serial_stance().
 struct LegModel {
   std::string name;
   LegKind kind = LegKind::yaw_pitch_pitch;
@@ -85,15 +84,16 @@ struct LegModel {
 
   JointArray<std::string> joint_names{3};
   JointArray<JointLimits> limits{3};  ///< of q
-  JointArray<LinkModel> links{3};     ///< each is moved by its joint; the last one has the foot
-  JointArray<Vector3> p_BJ0{3};       ///< a point on each joint axis, all joints zero [m]
-  JointArray<Vector3> axis_B0{3};     ///< joint axes, all joints zero, unit vectors
-  Vector3 p_BF0 = Vector3::Zero();    ///< foot centre, all joints zero [m]
+  JointArray<LinkModel> links{3};     ///< link k is moved by joint k; the last one has the foot
+  JointArray<Vector3> p_BJ0{3};       ///< a point on each joint axis, joints at zero [m]
+  JointArray<Vector3> axis_B0{3};     ///< joint axes, joints at zero, unit vectors
+  Vector3 p_BF0 = Vector3::Zero();    ///< foot centre, joints at zero [m]
 
   Vector3 p_BC = Vector3::Zero();  ///< workspace centre: the foot centre of the nominal stance [m]
   LegJoints q_nominal = LegJoints::Zero();  ///< serial: joints of the nominal stance [rad]
   double workspace_radius = 0.0;  ///< horizontal disc about p_BC that the foot may use [m]
-  /// Foot centre from the hip-pitch axis; of a serial leg from the hip [m].
+  /// Range of the foot centre's distance from the hip-pitch axis; of a serial leg, from the hip
+  /// [m].
   double min_reach = 0.0, max_reach = 0.0;
 
   int num_joints() const { return limits.size(); }
@@ -107,7 +107,7 @@ struct RobotModel {
   double foot_radius = 0.0;        ///< spherical feet [m]
   double mass = 0.0;               ///< all links [kg]
   Vector3 p_BM = Vector3::Zero();  ///< centre of mass in the nominal stance [m]
-  /// About it, in that stance, axes of B [kg m²].
+  /// Inertia about the centre of mass in the nominal stance, axes of B [kg m²].
   Matrix3 inertia_M_B = Matrix3::Zero();
 
   int num_legs() const { return legs.size(); }

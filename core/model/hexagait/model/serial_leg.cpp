@@ -4,23 +4,24 @@
 #include <algorithm>
 #include <hexagait/model/serial_leg.hpp>
 
-namespace hexagait::serial {
+namespace hexagait {
 namespace {
 
-constexpr double kReached = 1e-9;     // a foot this near to its target is there [m]
-constexpr double kSettled = 1e-11;    // and this near, no step is needed for it [m]
+constexpr double kReached = 1e-9;     // distance at which the foot counts as at its target [m]
+constexpr double kSettled = 1e-11;    // distance below which no step is needed to approach [m]
 constexpr double kAtRest = 1e-8;      // steps smaller than this change nothing [rad]
 constexpr double kLargestStep = 0.5;  // [rad]
-constexpr double kSlack = 1e-3;       // of the leg: the pull may move the foot so far meanwhile
-constexpr double kNoise = 1e-14;      // of the leg squared: J Jᵀ below this is none
-constexpr double kFarAway = 1e6;      // targets are clipped here, so that squares stay finite [m]
+constexpr double kSlack = 1e-3;       // foot motion allowed to null-space steps, of max_reach
+constexpr double kNoise = 1e-14;      // rounding of J Jᵀ, of max_reach²
+constexpr double kFarAway = 1e6;  // targets are clamped to this, so that squares stay finite [m]
 
-/// v turned about the unit vector a (Rodrigues).
+/// v rotated about the unit vector a (Rodrigues).
 Vector3 turned(const Vector3& v, const Vector3& a, double c, double s) {
   return c * v + s * a.cross(v) + ((1.0 - c) * a.dot(v)) * a;
 }
 
-/// Where the joints are and what their axes are, joint after joint (leg 2).
+/// Calls f(i, â_i, p̂_i) for each joint (leg 2).
+/// @returns the displacement of the last link from its pose with all joints at zero
 template <class F>
 Pose for_each_joint(const LegModel& leg, const LegTrig& trig, F f) {
   Pose X;  // X_1 … X_{i−1}
@@ -29,7 +30,7 @@ Pose for_each_joint(const LegModel& leg, const LegTrig& trig, F f) {
     f(i, Vector3(X.R * a), Vector3(X * p));
     Matrix3 R;
     for (int k = 0; k < 3; ++k) R.col(k) = turned(Vector3::Unit(k), a, trig.c[i], trig.s[i]);
-    X = X * Pose{R, p - R * p};
+    X = X * rotation_about(p, R);
   }
   return X;
 }
@@ -61,44 +62,47 @@ LegJoints clamped(const LegModel& leg, const LegJoints& q) {
   return inside;
 }
 
-/// One search, from q; all of it is copied from step to step.
+/// The state of a search, copied from step to step.
 struct Search {
   LegJoints q;
   LegTrig trig;
   Foot foot;
-  Vector3 e;             ///< target − foot [m]
-  double damping = 0.1;  ///< μ
-  double pull = 1.0;     ///< γ
+  Vector3 e;                ///< target − foot [m]
+  double damping = 0.1;     ///< μ
+  double null_space = 1.0;  ///< γ
 };
 
-void look(const LegModel& leg, const Vector3& target, Search& at) {
-  at.trig = leg_trig(leg, at.q);
+void evaluate(const LegModel& leg, const Vector3& target, Search& at) {
+  at.trig = SerialLeg::leg_trig(leg, at.q);
   at.foot = foot_of(leg, at.trig);
   at.e = target - at.foot.p;
 }
 
-// (leg 3), the joints that get to their limits fixed one after the other.
-LegJoints step_of(const LegModel& leg, const Search& at) {
-  const int n = leg.num_joints();
+/// (leg 3) with some joints fixed: `fixed` holds their steps, `free` is 1 for the others.
+LegJoints damped_step(const LegModel& leg, const Search& at, const LegJoints& fixed,
+                      const LegJoints& free) {
   const double noise = kNoise * leg.max_reach * leg.max_reach;
   const double damping = at.damping * at.e.squaredNorm() + noise;
-  LegJoints fixed = LegJoints::Zero(), free = LegJoints::Ones();
-  const LegJoints rest = leg.q_nominal - at.q;
-  LegJoints step = LegJoints::Zero();
-  for (int round = 0; round <= n; ++round) {
-    const LegJacobian J = at.foot.J * free.asDiagonal();
-    const Vector3 e = at.e - at.foot.J * fixed;
-    const Matrix3 JJ = J * J.transpose(), I = Matrix3::Identity();
-    step = fixed + J.transpose() * Matrix3(JJ + damping * I).ldlt().solve(e);
-    if (n > 3) {
-      const LegJoints r = at.pull * free.cwiseProduct(rest);
-      step += r - J.transpose() * Matrix3(JJ + noise * I).ldlt().solve(J * r);
-    }
+  const LegJacobian J = at.foot.J * free.asDiagonal();
+  const Vector3 e = at.e - at.foot.J * fixed;
+  const Matrix3 JJ = J * J.transpose(), I = Matrix3::Identity();
+  LegJoints step = fixed + J.transpose() * Matrix3(JJ + damping * I).ldlt().solve(e);
+  if (leg.num_joints() > 3) {
+    const LegJoints rest = leg.q_nominal - at.q;
+    const LegJoints r = at.null_space * free.cwiseProduct(rest);
+    step += r - J.transpose() * Matrix3(JJ + noise * I).ldlt().solve(J * r);
+  }
+  return step;
+}
 
-    // The joint that goes farthest beyond its limits stops there.
+/// (leg 3), with the joints that reach their limits fixed one after the other, the worst first.
+LegJoints step_of(const LegModel& leg, const Search& at) {
+  LegJoints fixed = LegJoints::Zero(), free = LegJoints::Ones(), step = LegJoints::Zero();
+  for (int round = 0; round <= leg.num_joints(); ++round) {
+    step = damped_step(leg, at, fixed, free);
     int worst = -1;
     double most = 0.0, limit = 0.0;
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; i < leg.num_joints(); ++i) {
       const double wanted = at.q[i] + step[i];
       const double inside = std::clamp(wanted, leg.limits[i].lower, leg.limits[i].upper);
       if (free[i] == 0.0 || std::abs(wanted - inside) <= most) continue;
@@ -112,37 +116,37 @@ LegJoints step_of(const LegModel& leg, const Search& at) {
   return largest > kLargestStep ? LegJoints(step * (kLargestStep / largest)) : step;
 }
 
-/// The best place a search came to. Without the pull in its last iterations, in which all goes to
-/// the foot.
-Search search(const LegModel& leg, const Vector3& target, const LegJoints& from, bool pulled) {
+/// The end of a search from `from`.
+/// @param null_space  false: γ = 0 from the start; true: only in the second half of the iterations
+Search search(const LegModel& leg, const Vector3& target, const LegJoints& from, bool null_space) {
   Search best;
   best.q = clamped(leg, from);
-  look(leg, target, best);
+  evaluate(leg, target, best);
   double slack = leg.num_joints() > 3 ? kSlack * leg.max_reach : 0.0;
-  for (int k = 0; k < kMaxIterations; ++k) {
-    if (!pulled || k > kMaxIterations / 2) best.pull = slack = 0.0;
+  for (int k = 0; k < SerialLeg::kMaxIterations; ++k) {
+    if (!null_space || k > SerialLeg::kMaxIterations / 2) best.null_space = slack = 0.0;
     const LegJoints step = step_of(leg, best);
     const double size = step.cwiseAbs().maxCoeff();
     if (size < kAtRest && (best.e.norm() < kSettled || size == 0.0)) break;
 
     Search next = best;
     next.q = clamped(leg, best.q + step);
-    look(leg, target, next);
+    evaluate(leg, target, next);
     if (next.e.norm() < std::max(best.e.norm(), slack) || next.e.norm() < kSettled) {
       next.damping = std::max(0.2 * best.damping, 1e-3);
-      next.pull = std::min(2.0 * best.pull, 1.0);
+      next.null_space = std::min(2.0 * best.null_space, 1.0);
       best = next;
     } else if (size < kAtRest) {
       break;
     } else {
       best.damping *= 10.0;
-      best.pull *= 0.25;
+      best.null_space *= 0.25;
     }
   }
   return best;
 }
 
-/// The target within the reach, as seen from the hip.
+/// The target, moved towards or away from the hip into [min_reach, max_reach].
 Vector3 within_reach(const LegModel& leg, const Vector3& p_BF) {
   const Vector3 v = (p_BF - leg.X_BH.p).cwiseMax(-kFarAway).cwiseMin(kFarAway);
   const double asked = v.norm(), d = std::clamp(asked, leg.min_reach, leg.max_reach);
@@ -153,7 +157,7 @@ Vector3 within_reach(const LegModel& leg, const Vector3& p_BF) {
 
 }  // namespace
 
-LegTrig leg_trig(const LegModel& leg, const LegJoints& q) noexcept {
+LegTrig SerialLeg::leg_trig(const LegModel& leg, const LegJoints& q) noexcept {
   LegTrig trig;
   for (int i = 0; i < leg.num_joints(); ++i) {
     trig.c[i] = std::cos(q[i]);
@@ -162,22 +166,23 @@ LegTrig leg_trig(const LegModel& leg, const LegJoints& q) noexcept {
   return trig;
 }
 
-Vector3 foot_position(const LegModel& leg, const LegTrig& trig) noexcept {
+Vector3 SerialLeg::foot_position(const LegModel& leg, const LegTrig& trig) noexcept {
   Vector3 p = leg.p_BF0;
   for (int i = leg.num_joints() - 1; i >= 0; --i)
     p = leg.p_BJ0[i] + turned(p - leg.p_BJ0[i], leg.axis_B0[i], trig.c[i], trig.s[i]);
   return p;
 }
 
-LegJacobian foot_jacobian(const LegModel& leg, const LegTrig& trig) noexcept {
+LegJacobian SerialLeg::foot_jacobian(const LegModel& leg, const LegTrig& trig) noexcept {
   return foot_of(leg, trig).J;
 }
 
-Matrix3 tibia_rotation(const LegModel& leg, const LegTrig& trig) noexcept {
+Matrix3 SerialLeg::tibia_rotation(const LegModel& leg, const LegTrig& trig) noexcept {
   return for_each_joint(leg, trig, [](int, const Vector3&, const Vector3&) {}).R;
 }
 
-Vector3 tibia_turn(const LegModel& leg, const LegTrig& trig, const LegJoints& dq) noexcept {
+Vector3 SerialLeg::tibia_turn(const LegModel& leg, const LegTrig& trig,
+                              const LegJoints& dq) noexcept {
   Vector3 sum = Vector3::Zero();
   for_each_joint(leg, trig, [&](int i, const Vector3& axis, const Vector3&) {
     const Vector3 turn = axis * dq[i];
@@ -186,8 +191,8 @@ Vector3 tibia_turn(const LegModel& leg, const LegTrig& trig, const LegJoints& dq
   return sum;
 }
 
-LegSolution inverse_kinematics(const LegModel& leg, const Vector3& p_BF,
-                               const LegJoints& near) noexcept {
+LegSolution SerialLeg::inverse_kinematics(const LegModel& leg, const Vector3& p_BF,
+                                          const LegJoints& near) noexcept {
   assert(0.0 < leg.min_reach && leg.min_reach <= leg.max_reach);
   const Vector3 target = within_reach(leg, p_BF);
   Search found = search(leg, target, near, true);
@@ -202,4 +207,4 @@ LegSolution inverse_kinematics(const LegModel& leg, const Vector3& p_BF,
   return {found.q, found.trig, (p_BF - found.foot.p).norm() < kReached};
 }
 
-}  // namespace hexagait::serial
+}  // namespace hexagait

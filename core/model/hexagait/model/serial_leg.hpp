@@ -4,52 +4,55 @@
 
 #include <hexagait/model/leg_solution.hpp>
 
-/// Kinematics of a leg of 3 to 6 revolute joints about any axes. Behind kinematics.hpp, whose
-/// functions say what theirs of the same names return.
+namespace hexagait {
+
+/// Kinematics of a leg of 3 to 6 revolute joints about any axes.
 ///
-/// With all joints at zero, joint i turns about the line through p_i along a_i (unit vector), and
+/// With all joints at zero, joint i turns about the line through p_i along the unit vector a_i, and
 /// the foot is at p_F, all in the body frame: LegModel's p_BJ0, axis_B0, p_BF0. Product of
 /// exponentials, R_i = exp(a_i q_i):
 ///
 ///     X_i(p) = p_i + R_i (p − p_i),   p_BF = X_1(X_2(… X_n(p_F)))                         (leg 1)
-///     â_i = R_1 … R_{i−1} a_i,   p̂_i = X_1(… X_{i−1}(p_i)),   J_i = â_i × (p_BF − p̂_i)    (leg 2)
+///     â_i = R_1 … R_{i−1} a_i,   p̂_i = X_1(… X_{i−1}(p_i)),   J_i = â_i × (p_BF − p̂_i)   (leg 2)
 ///
 /// LegTrig: cosine and sine of each q_i.
-namespace hexagait::serial {
+struct SerialLeg {
+  static LegTrig leg_trig(const LegModel& leg, const LegJoints& q) noexcept;
+  static Vector3 foot_position(const LegModel& leg, const LegTrig& trig) noexcept;
+  static LegJacobian foot_jacobian(const LegModel& leg, const LegTrig& trig) noexcept;
 
-[[nodiscard]] LegTrig leg_trig(const LegModel& leg, const LegJoints& q) noexcept;
-[[nodiscard]] Vector3 foot_position(const LegModel& leg, const LegTrig& trig) noexcept;
-[[nodiscard]] LegJacobian foot_jacobian(const LegModel& leg, const LegTrig& trig) noexcept;
+  /// R_1 … R_n: T is parallel to the body frame when all joints are at zero.
+  static Matrix3 tibia_rotation(const LegModel& leg, const LegTrig& trig) noexcept;
 
-/// R_1 … R_n: of the frame that is parallel to the body's with all joints at zero.
-[[nodiscard]] Matrix3 tibia_rotation(const LegModel& leg, const LegTrig& trig) noexcept;
+  /// Σ t_i + ½ Σ_{j<i} t_j × t_i with t_i = â_i dq_i.
+  static Vector3 tibia_turn(const LegModel& leg, const LegTrig& trig, const LegJoints& dq) noexcept;
 
-/// Σ t_i + ½ Σ_{j<i} t_j × t_i,  t_i = â_i dq_i: each axis as the ones before have half turned it.
-[[nodiscard]] Vector3 tibia_turn(const LegModel& leg, const LegTrig& trig,
-                                 const LegJoints& dq) noexcept;
+  /// Of the joint values within their limits that put the foot at p_BF, the one nearest to
+  /// q_nominal that a continuous motion from `near` reaches. So the answer of a leg of more than
+  /// three joints depends on the foot's position and not on how it came there.
+  ///
+  /// Iterates, with e = p_BF − p(q), J the Jacobian of the free joints, r = q_nominal − q:
+  ///
+  ///     Δq = Jᵀ (J Jᵀ + λ²)⁻¹ e + γ (1 − J⁺ J) r                                      (leg 3)
+  ///     λ² = μ e²                                                                     (leg 4)
+  ///
+  /// λ damps steps near singularities and far from the target; γ is the null-space gain. A joint
+  /// that Δq would move beyond a limit is fixed at that limit, its contribution is subtracted from
+  /// e, and Δq is solved for again. A step that does not bring the foot closer is rejected and μ
+  /// rises (Levenberg-Marquardt). At most kMaxIterations steps, with γ = 0 in the second half. If
+  /// they fail, the search is repeated with γ = 0 from `near`, then from the nominal stance.
+  ///
+  /// A target whose distance from the hip is outside [min_reach, max_reach] is unreachable and is
+  /// moved to the nearest distance; the answer is then a local minimum of the foot's distance from
+  /// the target.
+  /// @pre 0 < min_reach <= max_reach, and q_nominal is within the limits
+  static LegSolution inverse_kinematics(const LegModel& leg, const Vector3& p_BF,
+                                        const LegJoints& near) noexcept;
 
-/// Of the joint values within their limits that put the foot at p_BF, those nearest to the nominal
-/// ones, as far as one gets from `near` on a continuous path: so what a leg of more than three
-/// joints answers depends on the foot and not on the way there.
-///
-/// Iterates, with e = p_BF − p(q), J of the joints that are free, and r what is left to q_nominal:
-///
-///     Δq = Jᵀ (J Jᵀ + λ²)⁻¹ e + γ (1 − J⁺ J) r                                            (leg 3)
-///     λ² = μ e²:  next to singularities, and far from the answer, steps are small         (leg 4)
-///
-/// A joint that Δq would take beyond a limit goes to it and is no longer free, its part of e is
-/// taken off, and Δq is solved for again. A step that doesn't bring the foot nearer is not taken,
-/// and μ rises (Levenberg and Marquardt). At most kMaxIterations steps, γ = 0 in the second half of
-/// them; if they fail, so many with γ = 0 from `near`, and from the nominal stance.
-///
-/// Where the target is nearer to or farther from the hip than [min_reach, max_reach], it counts as
-/// unreachable and is moved there; the answer then is a minimum of the distance, if only of those
-/// around.
-/// @pre 0 < min_reach <= max_reach, and q_nominal is within the limits
-[[nodiscard]] LegSolution inverse_kinematics(const LegModel& leg, const Vector3& p_BF,
-                                             const LegJoints& near) noexcept;
+  /// Bound on the iterations of one search.
+  static constexpr int kMaxIterations = 60;
+};
 
-/// Bound on the iterations of a search.
-inline constexpr int kMaxIterations = 60;
+static_assert(LegKinematics<SerialLeg>);
 
-}  // namespace hexagait::serial
+}  // namespace hexagait

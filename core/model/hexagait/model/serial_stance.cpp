@@ -9,17 +9,16 @@
 namespace hexagait {
 namespace {
 
-constexpr double kSingularMargin = 0.04;  // of the longest reach
-constexpr double kHeightRatio = 2.2;      // length / nominal height of a leg that sprawls
-constexpr double kUprightHeight = 0.8;    // nominal height / longest reach of one that stands below
-constexpr double kSteep = 0.7;            // z of a first axis that is a yaw's
-constexpr double kImmobile = 1e-3;        // σ / reach below which the foot doesn't move that way
-constexpr double kNimble = 0.08;          // σ / reach that a nominal stance should have
-constexpr double kFarFromLimit = 0.3;     // joints farther from limits don't count as better [rad]
+constexpr double kUprightHeight = 0.8;  // nominal height / longest reach, first axis horizontal
+constexpr double kSteep = 0.7;          // a first axis with a greater z is a yaw axis
+constexpr double kImmobile = 1e-3;      // dexterity below which the foot cannot move in a direction
+constexpr double kNimble = 0.08;        // dexterity that suffices for a nominal stance
+constexpr double kFarFromLimit = 0.3;   // more clearance from a joint limit is no better [rad]
 constexpr double kSameScore = 1e-6;
 constexpr double kSettled = 1e-9;  // change of a squared distance [m²]
 
-/// Smallest singular value of the Jacobian, by the reach; 0 where a direction is lost.
+/// Smallest singular value of the Jacobian over the reach; 0 where the foot cannot move in some
+/// direction.
 double dexterity(const LegModel& leg, const LegJoints& q) {
   const LegJacobian J = foot_jacobian(leg, leg_trig(leg, q));
   const Matrix3 JJ = J * J.transpose();
@@ -28,7 +27,7 @@ double dexterity(const LegModel& leg, const LegJoints& q) {
   return std::sqrt(std::max(least, 0.0)) / leg.max_reach;
 }
 
-/// Postures all over the ranges of the joints from `first` on: `levels` values of each.
+/// A grid of postures: `levels` values of each joint from `first` on.
 std::vector<LegJoints> postures(const LegModel& leg, int levels, int first = 0) {
   std::vector<LegJoints> all = {LegJoints::Zero()};
   for (int i = first; i < leg.num_joints(); ++i) {
@@ -44,8 +43,8 @@ std::vector<LegJoints> postures(const LegModel& leg, int levels, int first = 0) 
   return all;
 }
 
-/// The angle in `limits` that is best for a + b cos q + c sin q, of those a whole turn apart the
-/// one nearest to the middle; at a limit if that isn't among them.
+/// The angle within `limits` that maximises sign · (b cos q + c sin q), modulo 2π nearest to the
+/// middle of the limits; a limit if the maximum lies outside.
 double best_angle(const JointLimits& limits, double b, double c, double sign) {
   const double middle = 0.5 * (limits.lower + limits.upper);
   const double top = middle + wrap_angle(std::atan2(sign * c, sign * b) - middle);
@@ -54,14 +53,15 @@ double best_angle(const JointLimits& limits, double b, double c, double sign) {
   return value(limits.lower) > value(limits.upper) ? limits.lower : limits.upper;
 }
 
-/// Turns one joint after the other so that the foot is farthest from the hip (sign 1) or nearest.
+/// Largest (sign 1) or smallest (sign −1) distance of the foot from the hip, by coordinate descent
+/// from q [m].
 double extreme_distance(const LegModel& leg, LegJoints q, double sign) {
-  constexpr int kMaxSweeps = 30;
+  constexpr int kMaxRounds = 30;
   const auto squared = [&] { return (foot_position(leg, q) - leg.X_BH.p).squaredNorm(); };
   double last = squared();
-  for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
+  for (int round = 0; round < kMaxRounds; ++round) {
     for (int i = 1; i < leg.num_joints(); ++i) {
-      // Three samples give the sinusoid.
+      // Three samples determine the sinusoid.
       const auto at = [&](double angle) { return q[i] = angle, squared(); };
       const double zero = at(0.0), quarter = at(0.5 * std::numbers::pi),
                    half = at(std::numbers::pi);
@@ -77,7 +77,8 @@ double extreme_distance(const LegModel& leg, LegJoints q, double sign) {
 }
 
 Reach extreme_distances(const LegModel& leg) {
-  // The hip is on the first axis: that joint plays no part. From the most promising postures.
+  // The hip is on the first axis, so joint 0 has no effect. Starts from the most promising
+  // postures.
   constexpr std::size_t kStarts = 6;
   std::vector<LegJoints> starts = postures(leg, 2, 1);
   const std::size_t n = std::min(kStarts, starts.size());
@@ -92,7 +93,8 @@ Reach extreme_distances(const LegModel& leg) {
   return reach;
 }
 
-/// How good a posture is. Knees up count some, and if all else is equal, knees inwards.
+/// Quality of a posture: dexterity and clearance, some preference for knees up; knees inwards
+/// decide between equals.
 struct Score {
   double value = -1.0;
   double inwards = 0.0;
@@ -104,19 +106,19 @@ struct Score {
 };
 
 Score score(const LegModel& leg, const LegJoints& q) {
-  double room = kFarFromLimit, up = 0.0, inwards = 0.0;
+  double clearance = kFarFromLimit, up = 0.0, inwards = 0.0;
   for (int i = 0; i < leg.num_joints(); ++i) {
-    room = std::min({room, q[i] - leg.limits[i].lower, leg.limits[i].upper - q[i]});
+    clearance = std::min({clearance, q[i] - leg.limits[i].lower, leg.limits[i].upper - q[i]});
     const Vector3 p = link_pose(leg, i, q).p;
     up += p.z() - leg.X_BH.p.z();
     inwards -= p.head<2>().norm();
   }
   const double height = up / (leg.num_joints() * leg.max_reach);
-  return {dexterity(leg, q) * (room / kFarFromLimit) * (1.0 + height), inwards};
+  return {dexterity(leg, q) * (clearance / kFarFromLimit) * (1.0 + height), inwards};
 }
 
-/// The best posture with the foot there. A leg of more than three joints has a family of them: the
-/// pull of each search goes to where it began.
+/// The best posture with the foot at p_BF. A leg of more than three joints has a continuum of them,
+/// which is sampled by giving each search its own q_nominal.
 Score best_posture(const LegModel& leg, const Vector3& p_BF, LegJoints& best_q) {
   const int n = leg.num_joints(), levels = n == 3 ? 4 : n == 4 ? 3 : 2;
   Score best;
@@ -131,7 +133,7 @@ Score best_posture(const LegModel& leg, const Vector3& p_BF, LegJoints& best_q) 
   return best;
 }
 
-/// Where the rule has the nominal foot, in the hip frame.
+/// The rule's place for the nominal foot, in the hip frame [m].
 Vector3 nominal_place(const LegModel& leg) {
   const SerialLengths lengths = serial_lengths(leg);
   if (std::abs(leg.axis_B0[0].z()) < kSteep)
@@ -139,7 +141,7 @@ Vector3 nominal_place(const LegModel& leg) {
   return {lengths.coxa + lengths.upper, 0.0, -(lengths.upper + lengths.rest) / kHeightRatio};
 }
 
-/// That place, and others around it, the nearest first.
+/// That place and others around it, the nearest first.
 std::vector<Vector3> places(const LegModel& leg) {
   constexpr int kRings = 2;
   constexpr double kStep = 0.15;  // of the longest reach
@@ -152,7 +154,7 @@ std::vector<Vector3> places(const LegModel& leg) {
   return all;
 }
 
-/// The foot can nowhere be moved in all three directions.
+/// Is there no posture in which the foot can move in all three directions?
 bool is_immobile(const LegModel& leg) {
   return std::ranges::all_of(postures(leg, 3),
                              [&](const LegJoints& q) { return dexterity(leg, q) < kImmobile; });
@@ -193,7 +195,7 @@ void take_serial_stance(LegModel& leg, Violations& violations) {
     return;
   }
 
-  // The first place that is good enough, else the best one.
+  // The first place that is good enough, otherwise the best one.
   Score best;
   for (const Vector3& p_HF : places(leg)) {
     const Vector3 p_BF = leg.X_BH * p_HF;

@@ -7,36 +7,37 @@
 
 namespace hexagait {
 
-/// Lengths of a serial leg with all joints at zero: what workspace.hpp has of coxa, femur, tibia.
+/// Lengths of a serial leg with all joints at zero, in the roles of coxa, femur and tibia.
 struct SerialLengths {
   double coxa = 0.0;     ///< from the first axis to the second [m]
   double upper = 0.0;    ///< from there to the third [m]
-  double rest = 0.0;     ///< on from axis to axis, and to the foot's centre [m]
-  double lateral = 0.0;  ///< of the foot, along x of the hip frame [m]
+  double rest = 0.0;     ///< from there on, axis to axis and to the foot's centre [m]
+  double lateral = 0.0;  ///< of the foot from the hip, along x of the hip frame [m]
 };
 
-/// From each axis the shortest way to the next.
+/// Shortest distances from each joint axis to the next.
 [[nodiscard]] SerialLengths serial_lengths(const LegModel& leg);
 
-/// Distances of the foot centre from the hip that a serial leg can have, 4 % of the longest away
-/// from those at which, without limits, it would be straight or folded.
+/// The reach of a serial leg, kSingularMargin inside the distances at which it would be straight or
+/// folded without joint limits.
 ///
-/// About one joint after the other the distance goes like a + b cos q + c sin q, so that each is
-/// turned to its best value; from several postures, until nothing changes.
+/// As a function of one joint, the squared distance of the foot from the hip is
+/// a + b cos q + c sin q. Its extrema are found by moving one joint after the other to its best
+/// value until nothing changes, from several postures.
 [[nodiscard]] Reach serial_reach(const LegModel& leg);
 
-/// Gives a serial leg its nominal stance and workspace: reach, p_BC, q_nominal, workspace_radius.
+/// Sets the nominal stance and workspace of a serial leg: reach, p_BC, q_nominal, workspace_radius.
 ///
-/// The foot stands where it would on a yaw-pitch-pitch leg if the first axis is steep: the first
-/// two links out, what is left of them and the others /2.2 below the hip. Where the first axis lies
-/// flat, as in the legs of mammals: out as far as with all joints at zero, 0.8 of the longest reach
-/// below. If the leg doesn't get there well, the nearest place around where it does.
+/// If the first axis is steep, the foot stands where that of a yaw-pitch-pitch leg would: outwards
+/// by coxa + upper, and (upper + rest) / kHeightRatio below the hip. If the first axis
+/// is horizontal, as in legs of mammals, it stands as far out as with all joints at zero, 0.8 of
+/// the longest reach below the hip. If the leg cannot reach that place well, the nearest place
+/// around it that it can is taken.
 ///
-/// Of the postures that have the foot there, the one in which the foot can be moved best in all
-/// directions, far from joint limits, with knees up, in front of all else towards the robot's
-/// middle.
-/// @param violations  receives why there is none: a foot that can't be moved in all three
-/// directions
+/// Of the postures with the foot there, the one with the best dexterity (smallest singular value of
+/// the Jacobian) far from joint limits is taken; knees up are preferred, then knees towards the
+/// robot's middle.
+/// @param violations  receives an entry if no stance lets the foot move in all three directions
 void take_serial_stance(LegModel& leg, Violations& violations);
 
 }  // namespace hexagait

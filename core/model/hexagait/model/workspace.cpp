@@ -8,16 +8,14 @@
 namespace hexagait {
 namespace {
 
-constexpr double kSingularMargin = 0.04;      // of femur + tibia
 constexpr double kLargestRadius = 1.0 / 3.0;  // of femur + tibia
-constexpr double kHeightRatio = 2.2;          // (femur + tibia) / nominal height
 
 double hip_to_foot(const LegModel& leg, double knee) {
   const double f = leg.femur, t = leg.tibia;
   return std::sqrt(f * f + t * t + 2.0 * f * t * std::cos(knee));
 }
 
-/// How far the foot gets from p_BC along a horizontal direction, at most `farthest` [m].
+/// Distance that the foot can move from p_BC along a direction, at most `farthest` [m].
 double reach_along(const LegModel& leg, const Vector3& direction_B, double farthest) {
   LegJoints near = leg.q_nominal;
   const auto reachable = [&](double s) {
@@ -25,8 +23,9 @@ double reach_along(const LegModel& leg, const Vector3& direction_B, double farth
     if (solution.reachable) near = solution.q;
     return solution.reachable;
   };
-  // Steps outwards, lest a gap is leapt over; then halves the step in which the end is.
-  const bool serial = leg.kind == LegKind::serial;  // which takes longer
+  // Steps outwards, so as not to miss a gap; then bisects the step that contains the end. Coarser
+  // for serial legs, whose inverse kinematics are slower.
+  const bool serial = leg.kind == LegKind::serial;
   const int steps = serial ? 20 : 50, halvings = serial ? 15 : 40;
   double inside = 0.0, outside = farthest;
   for (int k = 1; k <= steps; ++k) {
@@ -48,7 +47,7 @@ Reach leg_reach(const LegModel& leg) {
   const JointLimits& knee = leg.limits[2];
   const double length = leg.femur + leg.tibia, margin = kSingularMargin * length;
 
-  // Canonical knee interval, moved by whole turns so that its middle is nearest to π/2.
+  // Canonical knee interval, shifted by multiples of 2π so that its middle is nearest to π/2.
   const double bent = 0.5 * std::numbers::pi, half = 0.5 * (knee.upper - knee.lower);
   const double centre = leg.joint_sign[2] * (knee.lower + half) + leg.joint_offset[2];
   const double middle = bent + wrap_angle(centre - bent);

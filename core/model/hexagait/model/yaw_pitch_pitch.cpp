@@ -3,19 +3,18 @@
 #include <algorithm>
 #include <hexagait/model/yaw_pitch_pitch.hpp>
 
-namespace hexagait::yaw_pitch_pitch {
+namespace hexagait {
 namespace {
 
-constexpr double kRounding = 1e-9;  // excess over a distance that is rounding [m]
-constexpr double kOnAxis = 1e-12;   // a foot this near to an axis has no direction from it [m]
-constexpr double kFarAway = 1e6;    // targets are clipped here, so that squares stay finite [m]
+constexpr double kRounding = 1e-9;  // tolerated excess over the reach [m]
+constexpr double kOnAxis = 1e-12;   // feet closer to an axis count as on it [m]
+constexpr double kFarAway = 1e6;    // targets are clamped to this, so that squares stay finite [m]
 
 double canonical(const LegModel& leg, int joint, double q) {
   return leg.joint_sign[joint] * q + leg.joint_offset[joint];
 }
 
-/// The joint value of the canonical angle k; of those a whole turn apart, the one nearest to the
-/// middle of the limits.
+/// The joint value of the canonical angle k, modulo 2π nearest to the middle of the limits.
 double joint_value(const LegModel& leg, int joint, double k) {
   const JointLimits& limits = leg.limits[joint];
   const double q = leg.joint_sign[joint] * (k - leg.joint_offset[joint]);
@@ -24,11 +23,11 @@ double joint_value(const LegModel& leg, int joint, double k) {
   return middle + wrap_angle(q - middle);
 }
 
-/// The vertical plane of the leg, and where in it the foot is.
+/// The vertical plane of the leg, and the foot in it.
 struct LegPlane {
   double q = 0.0;           ///< yaw joint [rad]
   double c = 1.0, s = 0.0;  ///< of the canonical yaw
-  double r = 0.0;           ///< foot from the yaw axis, along the plane [m]
+  double r = 0.0;           ///< distance of the foot from the yaw axis, in the plane [m]
   bool contains_foot = false;
 };
 
@@ -50,7 +49,7 @@ LegPlane leg_plane(const LegModel& leg, double x, double y) {
 
 bool inside(const JointLimits& limits, double q) { return limits.lower <= q && q <= limits.upper; }
 
-/// Joints within their limits; where that moves one, the trig follows.
+/// Clamps the joints to their limits and updates the trig if that moved one.
 void limit(const LegModel& leg, LegSolution& solution) {
   LegJoints& q = solution.q;
   if (inside(leg.limits[0], q[0]) && inside(leg.limits[1], q[1]) && inside(leg.limits[2], q[2]))
@@ -59,12 +58,12 @@ void limit(const LegModel& leg, LegSolution& solution) {
     solution.reachable = solution.reachable && within(leg.limits[i], q[i]);
     q[i] = std::clamp(q[i], leg.limits[i].lower, leg.limits[i].upper);
   }
-  solution.trig = leg_trig(leg, q);
+  solution.trig = YawPitchPitchLeg::leg_trig(leg, q);
 }
 
 }  // namespace
 
-LegTrig leg_trig(const LegModel& leg, const LegJoints& q) noexcept {
+LegTrig YawPitchPitchLeg::leg_trig(const LegModel& leg, const LegJoints& q) noexcept {
   const double k1 = canonical(leg, 0, q[0]), k2 = canonical(leg, 1, q[1]);
   const double k23 = k2 + canonical(leg, 2, q[2]);
   LegTrig trig;
@@ -73,13 +72,13 @@ LegTrig leg_trig(const LegModel& leg, const LegJoints& q) noexcept {
   return trig;
 }
 
-Vector3 foot_position(const LegModel& leg, const LegTrig& trig) noexcept {
+Vector3 YawPitchPitchLeg::foot_position(const LegModel& leg, const LegTrig& trig) noexcept {
   const double r = leg.coxa + leg.femur * trig.c[1] + leg.tibia * trig.c[2];
   const double h = -leg.femur * trig.s[1] - leg.tibia * trig.s[2];
   return leg.X_BH * Vector3(r * trig.c[0], r * trig.s[0], h);
 }
 
-LegJacobian foot_jacobian(const LegModel& leg, const LegTrig& trig) noexcept {
+LegJacobian YawPitchPitchLeg::foot_jacobian(const LegModel& leg, const LegTrig& trig) noexcept {
   const double tibia_r = leg.tibia * trig.c[2], tibia_h = -leg.tibia * trig.s[2];
   const double pitch_r = leg.femur * trig.c[1] + tibia_r, h = -leg.femur * trig.s[1] + tibia_h;
   const double r = leg.coxa + pitch_r;
@@ -94,7 +93,7 @@ LegJacobian foot_jacobian(const LegModel& leg, const LegTrig& trig) noexcept {
   return J;
 }
 
-Matrix3 tibia_rotation(const LegModel& leg, const LegTrig& trig) noexcept {
+Matrix3 YawPitchPitchLeg::tibia_rotation(const LegModel& leg, const LegTrig& trig) noexcept {
   Matrix3 R_HT;
   R_HT << trig.c[0] * trig.c[2], -trig.s[0], trig.c[0] * trig.s[2],  //
       trig.s[0] * trig.c[2], trig.c[0], trig.s[0] * trig.s[2],       //
@@ -102,21 +101,23 @@ Matrix3 tibia_rotation(const LegModel& leg, const LegTrig& trig) noexcept {
   return leg.X_BH.R * R_HT;
 }
 
-Vector3 tibia_turn(const LegModel& leg, const LegTrig& trig, const LegJoints& dq) noexcept {
+Vector3 YawPitchPitchLeg::tibia_turn(const LegModel& leg, const LegTrig& trig,
+                                     const LegJoints& dq) noexcept {
   const Vector3 dk = leg.joint_sign.cwiseProduct(dq.head<3>());
-  // The pitch axis half-way: the yaw turns it by dk₁ meanwhile.
+  // The pitch axis at half the yaw: the joints move together.
   const double half = 0.5 * dk[0];
   const Vector3 pitch_axis_H(-trig.s[0] - half * trig.c[0], trig.c[0] - half * trig.s[0], 0.0);
   return leg.X_BH.R * (dk[0] * Vector3::UnitZ() + (dk[1] + dk[2]) * pitch_axis_H);
 }
 
-LegSolution inverse_kinematics(const LegModel& leg, const Vector3& p_BF) noexcept {
+LegSolution YawPitchPitchLeg::inverse_kinematics(const LegModel& leg, const Vector3& p_BF,
+                                                 const LegJoints&) noexcept {
   assert(0.0 < leg.min_reach && leg.min_reach <= leg.max_reach);
   const Vector3 p_HF =
       (leg.X_BH.R.transpose() * (p_BF - leg.X_BH.p)).cwiseMax(-kFarAway).cwiseMin(kFarAway);
   const LegPlane plane = leg_plane(leg, p_HF.x(), p_HF.y());
 
-  // The foot from the hip-pitch axis: a outwards, b down, at the distance d.
+  // The foot relative to the hip-pitch axis: a outwards, b down, at the distance d.
   double a = plane.r - leg.coxa, b = -p_HF.z();
   const double asked = std::sqrt(a * a + b * b);
   const double d = std::clamp(asked, leg.min_reach, leg.max_reach);
@@ -125,7 +126,7 @@ LegSolution inverse_kinematics(const LegModel& leg, const Vector3& p_BF) noexcep
     b = asked < kOnAxis ? d : b * (d / asked);
   }
 
-  // The knee by the law of cosines; the hip by turning the bent leg (A, B) onto (a, b).
+  // The knee by the law of cosines; the hip by rotating the bent leg (A, B) onto (a, b).
   const double f = leg.femur, t = leg.tibia;
   const double c3 = std::clamp((d * d - f * f - t * t) / (2.0 * f * t), -1.0, 1.0);
   const double s3 = std::sqrt(1.0 - c3 * c3);
@@ -142,4 +143,4 @@ LegSolution inverse_kinematics(const LegModel& leg, const Vector3& p_BF) noexcep
   return solution;
 }
 
-}  // namespace hexagait::yaw_pitch_pitch
+}  // namespace hexagait

@@ -8,19 +8,14 @@
 namespace hexagait {
 namespace {
 
-// Keeps the rotation defined when fewer than three feet stand; with three it delays the estimate by
-// a millionth of a tick [m²].
+// Keeps the rotation defined when fewer than three feet stand; negligible with three [m²].
 constexpr double kRegularisation = 1e-6;
 
-// A foot whose distance to every other one has changed by this much counts half [m].
+// The change of distances at which the weight of a foot is halved, ε of (odometry 3) [m].
 constexpr double kSlideTolerance = 0.001;
 
-Matrix3 cross_matrix(const Vector3& a) {
-  return (Matrix3() << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0).finished();
-}
-
-// One Gauss-Newton step of (odometry 1) from X: exact to second order in the motion of one tick,
-// and what is left over is corrected at the next.
+// One Gauss-Newton step of (odometry 1) from X: accurate to second order in the motion of one tick;
+// the next tick corrects the remainder.
 Pose registered(const Pose& X, const LegArray<Vector3>& p_BF, const LegArray<Vector3>& anchor_O,
                 const LegArray<double>& load) {
   double weight = 0.0;
@@ -45,22 +40,22 @@ Pose registered(const Pose& X, const LegArray<Vector3>& p_BF, const LegArray<Vec
   }
   const Vector3 turn = inertia.inverse() * moment;
 
-  // exp(turn) to second order, made orthonormal again: turn is ~1e-3 rad in a tick.
+  // exp(turn) to second order, then made orthonormal: turn is some 1e-3 rad per tick.
   const Matrix3 skew = cross_matrix(turn);
   const Matrix3 R = orthonormalised((Matrix3::Identity() + skew + 0.5 * skew * skew) * X.R);
   return {R, centroid + residual + R * (X.R.transpose() * (X.p - centroid))};
 }
 
-// By how much the distance of two feet has changed since they stand, squared [m²].
+// Squared change of the distance between two feet since they touched down [m²].
 double change2(const Vector3& now, const Vector3& then) {
   const double now2 = now.squaredNorm(), then2 = then.squaredNorm();
   return (now2 - then2) * (now2 - then2) / (4.0 * then2);  // now² − then² ≈ 2 · distance · change
 }
 
-// Feet that stand keep their distances (odometry 3). A foot is judged by the k-th smallest change
-// of its distances to the others, k = m/2 of m feet on the ground: half of them must agree with it.
-// The smallest alone is no sign: legs stand in rows, and a slide across a row changes no distance
-// in it. Up to m/2 − 1 sliding feet don't discredit those that stand.
+// (odometry 3). A foot is judged by the k-th smallest change of its distances to the others, k =
+// m/2 of m feet on the ground, so half of them must agree with it. The smallest change alone proves
+// nothing: legs stand in rows, and a slide across a row changes no distance within the row. Up to
+// m/2 − 1 sliding feet leave the weights of the standing feet as they are.
 LegArray<double> without_sliding(const LegArray<double>& footing, const LegArray<Vector3>& p_BF,
                                  const LegArray<Vector3>& anchor_O) {
   std::array<LegId, kMaxLegs> standing{};
@@ -69,7 +64,7 @@ LegArray<double> without_sliding(const LegArray<double>& footing, const LegArray
     if (footing[i] > 0.0) standing[m++] = i;
   if (m < 2) return footing;
 
-  // A row for each foot: its changes to the m − 1 others.
+  // Row a: the changes of foot a to the m − 1 others.
   std::array<std::array<double, kMaxLegs>, kMaxLegs> change;
   for (std::size_t a = 0; a < m; ++a) {
     for (std::size_t b = 0; b < a; ++b) {
@@ -111,7 +106,7 @@ void Odometry::reset(RobotState& state, RestsOn rests_on) {
 }
 
 Pose Odometry::pose_over_feet(const RobotState& state) const {
-  // Plane z = a + b x + c y through the feet, least squares: three normal equations.
+  // Least-squares plane z = a + b x + c y through the feet.
   Matrix3 normal = Matrix3::Zero();
   Vector3 right = Vector3::Zero();
   for (LegId i = 0; i < model_->num_legs(); ++i) {
@@ -122,7 +117,7 @@ Pose Odometry::pose_over_feet(const RobotState& state) const {
   const Vector3 plane = normal.inverse() * right;
   const Vector3 up_B = Vector3(-plane.y(), -plane.z(), 1.0).normalized();
 
-  // z of odom is the plane's normal, x the body's forward direction within the plane.
+  // z of odom is the normal of the plane, x the body's forward direction projected into it.
   const Vector3 forward_B = (Vector3::UnitX() - up_B.x() * up_B).normalized();
   Pose X_OB;
   X_OB.R.row(0) = forward_B;
@@ -143,13 +138,13 @@ void Odometry::update(RobotState& state, const LegArray<double>& footing, double
   state.V_B = twist_between(X_OB_, X_OB, dt);
   state.X_OB = X_OB_ = X_OB;
 
-  // A foot that does not carry its full share yet may still settle, and one may slide: follow it.
+  // The foothold of a foot that still takes load, or slides, follows the foot.
   for (LegId i = 0; i < n; ++i) {
     state.p_OF[i] = X_OB * state.p_BF[i];
     anchor_O_[i] = trust[i] * anchor_O_[i] + (1.0 - trust[i]) * state.p_OF[i];
     if (footing[i] > 0.0) state.print_O[i] = anchor_O_[i];
   }
-  for (LegId i = 0; i < q_before_.size(); ++i) {  // of legs that there are: less than all to copy
+  for (LegId i = 0; i < q_before_.size(); ++i) {
     q_before_[i] = state.q[i];
     trig_before_[i] = state.trig[i];
   }

@@ -6,33 +6,36 @@
 
 namespace hexagait {
 
-/// Where the base is, from the legs that stand: leg odometry.
+/// Leg odometry: the pose of the base from the legs that stand.
 ///
-/// The pose X_OB is the one that best explains the measured feet p_BF by footholds p_OF at rest:
+/// The pose X_OB is the one that best fits the measured feet p_BF to footholds p_OF at rest:
 ///
 ///     X_OB = argmin Σ_i w_i ‖X_OB p_BF,i − p_OF,i‖²                                   (odometry 1)
 ///
-/// w_i is the share of load that leg i carries (0 in the air, 1 in full support), less where the
-/// foot slides: then its distances to most other feet on the ground change (odometry 3). A
-/// spherical foot of radius ρ rolls on the ground without slipping, so its centre moves while its
-/// contact stands:
+/// w_i is the fraction of its load that leg i carries (0 in the air, 1 in full support), reduced
+/// for a foot that slides, which shows in its distances to the other feet on the ground
+/// (odometry 3). A spherical foot of radius ρ rolls without slipping, so its centre moves while its
+/// contact point stands:
 ///
 ///     ṗ_OF = ω_tibia × ρ n                                                            (odometry 2)
 ///
-/// Leaving (2) out looks like slip: 5 mm for a tibia that turns by 15° on a foot of 2 cm.
-/// Odometry sees no gravity: z is up by the assumption that the robot starts on level ground.
+/// Without (odometry 2), a tibia that turns by 15° on a foot of 2 cm would look like 5 mm of slip.
+/// Odometry does not sense gravity: it assumes that the robot starts on level ground.
+/// The robot model must outlive the odometry.
 class Odometry {
  public:
   explicit Odometry(const RobotModel& model) : model_(&model) {}
+  explicit Odometry(const RobotModel&&) = delete;
 
-  /// Puts the odom frame under the robot: z = 0 at the feet's mean lowest point, z normal to the
-  /// plane through the feet, x and y those of the body.
-  /// A robot that lies has z of odom along that of its body, and z = 0 at its origin.
+  /// Places the odom frame under the robot: z normal to the plane through the feet, z = 0 at their
+  /// mean lowest point, x and yaw of the body. For a robot that rests on its belly, odom is the
+  /// body frame.
   void reset(RobotState& state, RestsOn rests_on = RestsOn::feet);
 
-  /// Fills X_OB, V_B and p_OF from q, trig and p_BF.
-  /// @param footing  share of its load that each leg carries, 0 … 1; legs below 1 are anchored anew
-  ///                 as they settle
+  /// Updates X_OB, V_B, p_OF and print_O from q, trig and p_BF.
+  /// @param footing  fraction of its load that each leg carries, 0 … 1; the footholds of legs below
+  ///                 1 follow the feet as they settle
+  /// @param dt       time since the previous update [s]
   void update(RobotState& state, const LegArray<double>& footing, double dt) noexcept;
 
  private:

@@ -8,32 +8,32 @@
 
 namespace hexagait {
 
-/// What a robot can tell about itself at one instant. Nothing about the world but touch.
+/// What a robot measures at one instant: its joints, and which feet touch something.
 struct Measurement {
   double time = 0.0;       ///< the plant's clock [s]
   LegArray<LegJoints> q;   ///< joint positions [rad]
-  LegArray<bool> contact;  ///< foot touches something (load above the sensor's threshold)
+  LegArray<bool> contact;  ///< the foot touches something (load above the sensor's threshold)
 };
 
 /// How a leg's servos are driven.
 enum class ControlMode : std::uint8_t {
   position,  ///< to q, with qd and effort fed forward
-  velocity,  ///< qd counts; q is its integral, for servos that know positions only
-  effort,    ///< effort counts, the position is free
+  velocity,  ///< at qd; q is its integral, for servos with position control only
+  effort,    ///< at `effort`; the position is free
 };
 
-/// What the robot's servos are to do until the next command.
+/// The commands to the robot's servos until the next ones.
 struct JointTargets {
   LegArray<LegJoints> q;         ///< positions [rad]
   LegArray<LegJoints> qd;        ///< velocities, feed-forward [rad/s]
   LegArray<LegJoints> effort;    ///< efforts, feed-forward (load compensation) [N m]
-  LegArray<ControlMode> mode{};  ///< per leg; of size 0: all by position
+  LegArray<ControlMode> mode{};  ///< per leg; if of size 0, all are driven by position
 };
 
 enum class PlantStatus {
   fresh,   ///< a new measurement
-  late,    ///< none arrived in time; the measurement is the last one
-  closed,  ///< the plant is gone or has stopped itself
+  late,    ///< none arrived in time; the measurement is the previous one
+  closed,  ///< the plant is gone or has stopped
 };
 
 /// A robot, simulated or real: the only virtual interface of the library. The plant owns the clock:
@@ -45,7 +45,7 @@ class Plant {
   /// Waits for the next control period and fills `measurement`. Never throws.
   virtual PlantStatus read(Measurement& measurement) = 0;
 
-  /// Hands over the targets of this period. Never throws.
+  /// Sends the targets of this period. Never throws.
   virtual void write(const JointTargets& targets) = 0;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
+#include <hexagait/model/kinematics.hpp>
 #include <hexagait/plant/plant_watch.hpp>
 
 namespace hexagait {
@@ -25,12 +26,8 @@ bool valid(const Measurement& measurement, const RobotModel& model) noexcept {
   const int n = model.num_legs();
   if (measurement.q.size() != n || measurement.contact.size() != n) return false;
   bool finite = std::isfinite(measurement.time);
-  for (LegId i = 0; i < n; ++i) {
-    const LegJoints& q = measurement.q[i];
-    finite = finite && q.head<kMinLegJoints>().allFinite();
-    for (int k = kMinLegJoints; k < model.legs[i].num_joints(); ++k)
-      finite = finite && std::isfinite(q[k]);
-  }
+  for (LegId i = 0; i < n; ++i)
+    finite = finite && own_joints(model.legs[i], measurement.q[i]).allFinite();
   return finite;
 }
 

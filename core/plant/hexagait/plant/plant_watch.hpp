@@ -7,36 +7,36 @@
 
 namespace hexagait {
 
-/// Why a controller stands still and will not move again until it is started anew.
+/// Why a controller has stopped; it does not move again before the next start().
 enum class Fault : std::uint8_t {
   none,
-  bad_measurement,  ///< a joint position that is not finite, or the wrong number of legs
+  bad_measurement,  ///< a joint position is not finite, or the number of legs is wrong
   plant_late,       ///< no measurement for longer than the limit
   plant_closed,     ///< the plant is gone
-  emergency_stop,   ///< asked for
+  emergency_stop,   ///< requested by the program
 };
 
 [[nodiscard]] const char* to_string(Fault fault) noexcept;
 
-/// Complete, and finite for every joint that there is?
+/// Does the measurement have the model's number of legs, with finite values for all their joints?
 [[nodiscard]] bool valid(const Measurement& measurement, const RobotModel& model) noexcept;
 
-/// Lets through what a controller may work with: bad input ends here, and nothing behind it ever
-/// sees a number that is not finite.
+/// Checks the input of a controller: everything behind it sees only valid, finite measurements.
 class PlantWatch {
  public:
-  /// @param late_limit  without a measurement for longer there is a fault [s]
-  /// @returns true for a fresh, valid measurement; else the robot is to hold
+  /// @param dt          control period [s]
+  /// @param late_limit  longest time without a measurement before a fault [s]
+  /// @returns true for a fresh, valid measurement; otherwise the robot must hold
   [[nodiscard]] bool accepts(PlantStatus status, const Measurement& measurement,
                              const RobotModel& model, double dt, double late_limit) noexcept;
 
-  /// The first fault stays.
+  /// Sets a fault, unless there is one already.
   void stop(Fault fault) noexcept {
     if (fault_ == Fault::none) fault_ = fault;
   }
 
   [[nodiscard]] Fault fault() const { return fault_; }
-  [[nodiscard]] bool holding() const { return holding_; }  ///< the measurement is late
+  [[nodiscard]] bool holding() const { return holding_; }  ///< the last measurement was late
 
  private:
   Fault fault_ = Fault::none;

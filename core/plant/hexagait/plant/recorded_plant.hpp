@@ -8,8 +8,8 @@
 
 namespace hexagait {
 
-/// A plant that plays back what another one measured: the same controller then computes the same
-/// targets, so what happened on a robot can be looked into at a desk. Keeps what it is told.
+/// A plant that replays recorded measurements and records the targets written to it. The same
+/// controller then computes the same targets, so a run on a robot can be examined at a desk.
 class RecordedPlant final : public Plant {
  public:
   /// @param measurements  one per control period; must outlive the plant
@@ -35,11 +35,11 @@ class RecordedPlant final : public Plant {
   std::vector<JointTargets> targets_;
 };
 
-/// A robot that is where it is told to be, at once, with its feet on the ground: what a preview
-/// runs on. Contacts are left to SensorMask::foot_contacts = false.
+/// A robot whose joints are at their targets one period later, for previews. It has no ground: use
+/// SensorMask::foot_contacts = false.
 class PreviewPlant final : public Plant {
  public:
-  /// @param q   where it starts [rad]
+  /// @param q   joint positions at the start [rad]
   /// @param dt  control period [s]
   PreviewPlant(const LegArray<LegJoints>& q, double dt) : dt_(dt) {
     now_ = {0.0, q, LegArray<bool>(q.size(), true)};

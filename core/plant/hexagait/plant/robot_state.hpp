@@ -10,24 +10,24 @@
 
 namespace hexagait {
 
-/// What carries the robot when a controller takes it over.
+/// What the robot rests on when a controller takes it over.
 enum class RestsOn : std::uint8_t {
-  feet,   ///< it stands: all feet are taken to be on the ground
-  belly,  ///< it lies on level ground: no foot counts as standing, wherever it is
+  feet,   ///< it stands: all feet are assumed to be on the ground
+  belly,  ///< it lies on level ground: no foot counts as standing
 };
 
-/// What the controller knows of the robot: the measurement, and what follows from it.
+/// The controller's estimate of the robot: the measurement and what follows from it.
 /// Frames: O odom (z up), B body, F foot (centre of the spherical foot).
 struct RobotState {
   double time = 0.0;          ///< [s]
   LegArray<LegJoints> q;      ///< measured joints [rad]
   LegArray<LegTrig> trig;     ///< their sines and cosines
   LegArray<Vector3> p_BF;     ///< measured feet, body frame [m]
-  LegArray<bool> contact;     ///< foot touches something
+  LegArray<bool> contact;     ///< the foot touches something
   Pose X_OB;                  ///< base in odom, by odometry
   Twist V_B;                  ///< base twist by odometry, body frame [m/s, rad/s]
-  LegArray<Vector3> p_OF;     ///< feet in odom; of support legs the footholds [m]
-  LegArray<Vector3> print_O;  ///< where each foot last stood [m]
+  LegArray<Vector3> p_OF;     ///< feet in odom; of support legs, their footholds [m]
+  LegArray<Vector3> print_O;  ///< last footprint of each foot, in odom [m]
 };
 
 }  // namespace hexagait

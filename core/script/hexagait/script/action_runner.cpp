@@ -22,7 +22,7 @@ ActionRunner::ActionRunner(const RobotModel& model, const RunnerParams& params)
 
 void ActionRunner::start(const Measurement& measurement, RestsOn rests_on) {
   StateEstimator estimator(*model_, params_.sensors);
-  // May throw: before anything changes.
+  // May throw, so before anything changes.
   const RobotState state = estimator.start(measurement, rests_on);
   sequencer_.reset();
   watch_ = {};
@@ -56,6 +56,7 @@ void ActionRunner::report() noexcept {
   record_.feedback = sequencer_.feedback();
   record_.result = sequencer_.result();
   record_.legs = executor_.legs();
+  record_.contact_forces = executor_.contact_forces();
 
   DesiredState& desired = record_.desired;
   const Pose& X_OB = record_.state.X_OB;

@@ -13,48 +13,50 @@ struct RunnerParams {
   SensorMask sensors;
   SequencerParams sequencer;
   ExecutorParams executor;
-  double late_limit = 0.1;  ///< without a measurement for longer, the runner stops for good [s]
+  double late_limit = 0.1;  ///< longest time without a measurement before it stops [s]
 };
 
-/// What the robot is to be and do now: the output of Free Gait, "robot desired state" ([FG16] II).
+/// The desired state of the robot: the output of Free Gait ([FG16] II, "robot desired state").
 struct DesiredState {
-  LegSet support;                     ///< legs that carry
+  LegSet support;                     ///< legs that carry load
   LegArray<Vector3> normal_O;         ///< of the ground under each foot, as expected
   JointTargets targets;               ///< per leg: mode, positions, velocities, efforts
-  bool base_follows = false;          ///< the base is led along a plan, else it is at rest
-  Pose X_OB;                          ///< base, where the plan wants it now; else where it is
+  bool base_follows = false;          ///< the base follows a plan, otherwise it is at rest
+  Pose X_OB;                          ///< pose of the base according to the plan, or as estimated
   Twist V_B;                          ///< commanded twist of the base, body frame [m/s, rad/s]
   Vector3 force_O = Vector3::Zero();  ///< of the feet on the base, fed forward [N]
 };
 
-/// Everything that one tick of a script computed.
+/// Everything that one tick of a script computes.
 struct ActionRecord {
   Measurement measurement;
   Fault fault = Fault::none;
   bool holding = false;
   RobotState state;
   ActionFeedback feedback;
-  ActionResult result;  ///< of the action that ended last
-  double margin = 0.0;  ///< of the centre of mass within the feet that carry [m]
+  ActionResult result;  ///< of the last action that ended
+  double margin = 0.0;  ///< stability_margin() of the centre of mass [m]
   LegArray<LegLane> legs;
   DesiredState desired;
+  QpStatus contact_forces = QpStatus::solved;  ///< of the virtual model's quadratic program
 };
 
-/// Runs scripted actions on a robot: what it senses goes in, joint targets come out, once per
-/// control period; the sister of the Walker, on the same executor.
+/// Runs scripted actions: takes a measurement and returns joint targets once per control period. It
+/// uses the same executor as footstep_gen's Walker.
 ///
-/// The robot model must outlive the runner. A value: a copy can be played ahead. tick() neither
-/// throws nor allocates.
+/// The robot model must outlive the runner. A value: a copy can be run ahead. tick() neither throws
+/// nor allocates.
 class ActionRunner {
  public:
   explicit ActionRunner(const RobotModel& model, const RunnerParams& params = {});
+  explicit ActionRunner(const RobotModel&&, const RunnerParams& = {}) = delete;
 
-  /// Takes the robot over as it stands or lies. Actions are forgotten; frames and the handler of
-  /// custom commands stay.
+  /// Takes the robot over in its present posture. Drops all actions; keeps the frames and the
+  /// handler of custom commands.
   /// @throws InvalidInput  if a joint position is missing or not finite
   void start(const Measurement& measurement, RestsOn rests_on = RestsOn::feet);
 
-  /// Between ticks.
+  // To be called between ticks; see Sequencer.
   void submit(action::Action action, Preemption preemption = Preemption::at_once) {
     sequencer_.submit(std::move(action), preemption, executor_);
   }
@@ -67,7 +69,7 @@ class ActionRunner {
     sequencer_.handle_custom(handler, context);
   }
 
-  /// Where map and the registered frames are; may be changed between any two ticks.
+  /// Poses of map and the registered frames; may be changed between any two ticks.
   [[nodiscard]] Frames& frames() { return frames_; }
 
   const ActionRecord& tick(PlantStatus status, const Measurement& measurement) noexcept;

@@ -11,6 +11,18 @@
 namespace hexagait {
 namespace {
 
+// They keep a pointer to the model: made from a temporary one, they would dangle.
+template <class T, class... Params>
+constexpr bool kTakesOnlyLastingModels = std::is_constructible_v<T, const RobotModel&, Params...> &&
+                                         !std::is_constructible_v<T, RobotModel, Params...> &&
+                                         !std::is_constructible_v<T, const RobotModel, Params...>;
+static_assert(kTakesOnlyLastingModels<ActionRunner>);
+static_assert(kTakesOnlyLastingModels<ActionRunner, RunnerParams>);
+static_assert(kTakesOnlyLastingModels<Sequencer, SequencerParams>);
+static_assert(kTakesOnlyLastingModels<Executor, ExecutorParams>);
+static_assert(kTakesOnlyLastingModels<StateEstimator, SensorMask>);
+static_assert(kTakesOnlyLastingModels<Odometry>);
+
 using testing::base_target;
 using testing::footstep;
 using testing::ScriptedRobot;

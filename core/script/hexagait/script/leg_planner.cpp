@@ -7,8 +7,8 @@
 namespace hexagait {
 namespace {
 
-// Set point of the foot, in the frame in which its curve will be. A foot that stands is at rest.
-// One that is driven by efforts is where it is measured.
+// Set point of the foot, in the frame of its curve; for a foot driven by effort, the measured
+// position. Standing feet are at rest.
 PointState start_of_foot(LegId leg, const Placement& placement, const StepStart& start) {
   const LegLane& lane = start.executor.legs()[leg];
   const Pose& X_OB = start.state.X_OB;
@@ -28,7 +28,7 @@ Vector3 unit(const Vector3& v) {
   return length > 1e-9 ? Vector3(v / length) : Vector3::UnitZ();
 }
 
-// What a command says of its foot's motion, in the frame in which it will be executed.
+// The foot motion of a command, in the frame in which it is executed.
 class FootPlanner {
  public:
   FootPlanner(LegPlan& plan, FrameId frame, const action::LegMotion& motion, const StepStart& start,
@@ -88,7 +88,7 @@ class FootPlanner {
   Pose X_OP_;
 };
 
-// Of a leg's joints as they were last commanded.
+// State of a leg's joints, as last commanded.
 JointState start_of_joints(LegId leg, const StepStart& start) {
   const JointTargets& targets = start.executor.targets();
   JointState from;
@@ -98,7 +98,7 @@ JointState start_of_joints(LegId leg, const StepStart& start) {
   return from;
 }
 
-// Without positions, those to which the velocities lead in this time; without these, the present.
+// Target positions; if not given, the integral of the velocities; without these, the present ones.
 JointKnot completed(JointKnot knot, const JointState& from, double duration) {
   for (int k = 0; k < kMaxLegJoints; ++k) {
     if (!std::isnan(knot.q[k])) continue;
@@ -133,7 +133,7 @@ void plan_joint_trajectory(LegPlan& plan, const action::JointTrajectory& traject
   plan.duration = plan.joints.duration();
 }
 
-// What all commands of a leg have.
+// The fields common to all commands of a leg.
 void plan_common(LegPlan& plan, const action::LegMotion& motion, const StepStart& start) {
   const action::Direction& normal = motion.surface_normal;
   const Pose X_OA = start.step_frames.in_odom(normal.frame, start.frames, start.state);

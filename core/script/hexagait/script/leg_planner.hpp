@@ -8,7 +8,7 @@
 
 namespace hexagait {
 
-/// How the base is best held over feet: optimise_stance(), or another strategy of the program
+/// Finds the best base pose over the feet: optimise_stance(), or a strategy of the program
 /// ([FG16] II-D: "should be adapted for different types of robots").
 using StanceStrategy = StancePose (*)(const RobotModel&, const StanceProblem&);
 
@@ -20,15 +20,14 @@ struct PlannerParams {
   double min_target_duration = 0.05;      ///< of a foot's or joints' target [s]
   double min_base_auto_duration = 0.1;    ///< [s]
   double min_base_target_duration = 0.7;  ///< [s]
-  /// A step that leaves the centre of mass less than this inside the legs that stand is refused
-  /// [m].
+  /// Steps that would reduce the stability margin below this are refused [m].
   double min_margin = 0.0;
-  /// A step that would tip the robot or is out of reach fails; false: is begun all the same, as in
-  /// a preview, which is to show everything that is wrong.
+  /// Do steps fail that are unstable or out of reach? A preview executes them all the same, to find
+  /// every problem of an action.
   bool refuses = true;
 };
 
-/// All that the commands of a step are resolved by: the moment in which it starts.
+/// The state at the start of a step, from which its commands are resolved.
 struct StepStart {
   const RobotModel& model;
   const Executor& executor;
@@ -37,17 +36,17 @@ struct StepStart {
   const StepFrames& step_frames;
 };
 
-/// Resolves the command of a leg: the plan from where the leg is now to where the command wants it.
-/// Targets take the time of their average rate, trajectories their own.
-/// @param knots  room for a trajectory in its new frame
-/// @returns nothing but the plan's fields are written; no memory is allocated after reserve()
+/// Resolves the command of a leg into a plan from the leg's present state. The duration of a target
+/// follows from its average rate; trajectories have their own.
+/// @param plan   receives the result; does not allocate after reserve()
+/// @param knots  scratch space for a trajectory in its new frame
 void plan_leg(LegPlan& plan, const action::LegCommand& command, const StepStart& start,
               const PlannerParams& params, std::vector<FootKnot>& knots) noexcept;
 
-/// Does the command leave its time to the planner? Then the plan may be stretched.
+/// Does the command specify an average rate instead of times? Then its plan may be stretched.
 [[nodiscard]] bool rate_based(const action::LegCommand& command) noexcept;
 
-/// The same plan in a longer time.
+/// Resolves the command again with a longer duration [s].
 void stretch(LegPlan& plan, const action::LegCommand& command, double duration,
              const StepStart& start, const PlannerParams& params) noexcept;
 

@@ -9,12 +9,12 @@
 namespace hexagait {
 namespace {
 
-// Share of a joint's velocity limit that counts as reaching it.
+// Fraction of a joint's velocity limit that counts as reaching it.
 constexpr double kAtLimit = 1.0 - 1e-6;
 
 std::string millimetres(double metres) { return in_words(std::round(1e4 * metres) / 10.0) + " mm"; }
 
-// The command of a leg in a step, or what moves the base, or the step.
+// Position in the file of a leg's command, or else of the base's command, or else of the step.
 action::Mark mark_of(const action::Step& step, LegId leg) {
   for (const action::LegCommand& command : step.legs)
     if (leg_motion(command).leg == leg) return command.mark;
@@ -27,7 +27,7 @@ RunnerParams lenient(RunnerParams params) {
   return params;
 }
 
-// Looks at every tick and writes down what is wrong, once per step and leg.
+// Checks every tick and records problems, once per step and leg.
 class Examiner {
  public:
   Examiner(const RobotModel& model, const action::Action& action, const PreviewParams& params,
@@ -55,11 +55,11 @@ class Examiner {
     margin_ = std::numeric_limits<double>::infinity();
     if (plan.cause == Cause::out_of_reach)
       note(Finding::Kind::out_of_reach, plan.leg,
-           "the base can't be held where BaseAuto wants it: the leg doesn't reach");
+           "the base cannot be held where base_auto wants it: the leg does not reach its foot");
     if (plan.cause == Cause::unstable)
       note(Finding::Kind::unstable, plan.leg,
-           "the legs that stand while it is lifted don't carry the centre of mass; move the base "
-           "first, for example by a step with base_auto alone");
+           "the centre of mass is outside the support polygon while this leg is lifted; move the "
+           "base first, for example in a step with base_auto alone");
     refused_ = plan.cause == Cause::unstable;
     lies_ = lies_ && !plan.moves_base;
   }
@@ -71,8 +71,8 @@ class Examiner {
       beyond_.insert(leg);
       const Vector3& p = lane.p_BF;
       note(Finding::Kind::out_of_reach, leg,
-           "its foot is to be at (" + in_words(p.x()) + ", " + in_words(p.y()) + ", " +
-               in_words(p.z()) + ") m in the base, where the leg doesn't reach");
+           "its foot's target (" + in_words(p.x()) + ", " + in_words(p.y()) + ", " +
+               in_words(p.z()) + ") m in the base is out of reach");
     }
     if (lane.phase == LegPhase::follow && too_fast(leg, runner.executor().targets()))
       fast_.insert(leg);
@@ -87,7 +87,7 @@ class Examiner {
   }
 
   void look_at_margin(const ActionRecord& record) {
-    // Without support the body lies on something else, until it is moved.
+    // Without support the body rests on something else, until it moves.
     lies_ = lies_ || record.desired.support.empty();
     if (lies_) return;
     margin_ = std::min(margin_, record.margin);
@@ -101,16 +101,15 @@ class Examiner {
     for (LegId i = 0; i < model_.num_legs(); ++i)
       if (fast_.contains(i))
         note(Finding::Kind::too_fast, i,
-             "a joint would have to be faster than its limit; it will lag", false);
+             "a joint would have to exceed its velocity limit; it will lag behind", false);
     if (margin_ < 0.0 && !refused_)
       note(Finding::Kind::unstable, -1,
            "the centre of mass is up to " + millimetres(-margin_) +
-               " outside the feet that carry; it must be inside");
+               " outside the support polygon; it must be inside");
     else if (margin_ < params_.narrow_margin)
       note(Finding::Kind::narrow, -1,
-           "the centre of mass comes as near as " + millimetres(margin_) +
-               " to the edge of the feet that carry; " + millimetres(params_.narrow_margin) +
-               " or more is safe",
+           "the stability margin falls to " + millimetres(margin_) + "; it should be at least " +
+               millimetres(params_.narrow_margin),
            false);
   }
 
@@ -128,8 +127,8 @@ class Examiner {
   const PreviewParams& params_;
   Preview& preview_;
   int step_ = 0;
-  LegSet beyond_, fast_;  ///< legs about which that was said in this step
-  double margin_ = 0.0;   ///< least in this step [m]
+  LegSet beyond_, fast_;  ///< legs already reported in this step
+  double margin_ = 0.0;   ///< least margin in this step [m]
   bool refused_ = false;
   bool lies_ = false;
 };

@@ -135,8 +135,9 @@ class Play {
 
   void sense() {
     robot_.sense();
-    for (LegJoints& q : robot_.measurement.q)
-      for (int k = 0; k < 3; ++k) q[k] += random_.uniform(-noise_, noise_);
+    for (LegId i = 0; i < model_.num_legs(); ++i)
+      for (int k = 0; k < model_.legs[i].num_joints(); ++k)
+        robot_.measurement.q[i][k] += random_.uniform(-noise_, noise_);
   }
 
   void tick(PlantStatus status) {
@@ -169,7 +170,7 @@ class Play {
 
   void judge_joints(const JointTargets& before, const JointTargets& now) const {
     for (LegId i = 0; i < model_.num_legs(); ++i)
-      for (int k = 0; k < 3 && before.mode[i] == now.mode[i]; ++k) {
+      for (int k = 0; k < model_.legs[i].num_joints() && before.mode[i] == now.mode[i]; ++k) {
         const double velocity = model_.legs[i].limits[k].velocity;
         RC_ASSERT(std::abs(now.q[i][k] - before.q[i][k]) <= velocity * robot_.dt() * (1.0 + 1e-9));
       }

@@ -9,15 +9,15 @@ namespace {
 
 constexpr double kTimeTolerance = 1e-9;  // [s]
 
-// A base that moves slower than this stands [m/s], [rad/s].
+// A slower base counts as at rest [m/s], [rad/s].
 constexpr double kAtRest = 1e-6;
 
-// A stop that has not settled after this many search times ends all the same.
+// A stop ends at the latest after this many search times.
 constexpr double kStopPatience = 3.0;
 
 int steps_of(const action::Action& action) { return static_cast<int>(action.steps.size()); }
 
-// Stands for certain, or hangs in the air as it was told to.
+// Does the leg stand with confirmed contact, or hold in the air as commanded?
 bool at_rest(const LegLane& lane, const SwingParams& params) {
   return lane.phase == LegPhase::hold || lane.supports(params);
 }
@@ -105,7 +105,7 @@ void Sequencer::begin_action(const Executor& executor, const RobotState& state,
   for (LegId i = 0; i < beyond_.size(); ++i) given_up_.set(i, executor.legs()[i].exhausted);
 }
 
-// The next one, or none if this was the last.
+// The next step, or null after the last.
 void Sequencer::begin_step(Executor& executor, const StepStart& start, double carry) noexcept {
   if (step_ == steps_of(action_)) {
     ending_ = {number_, Outcome::succeeded, Cause::none, step_, -1};
@@ -135,7 +135,7 @@ void Sequencer::advance_step(Executor& executor, const StepStart& start, double 
   watch(executor, dt);
   if (stopping_ || !step_done(executor)) return;
 
-  // What this tick has gone past the end of the step belongs to the next one.
+  // The next step starts with the time by which this one has overrun.
   const double over = elapsed_ - planner_.last().duration;
   if (!stops_after_step_ || step_ == steps_of(action_))
     return begin_step(executor, start, over < dt ? std::max(0.0, over) : 0.0);
@@ -143,10 +143,10 @@ void Sequencer::advance_step(Executor& executor, const StepStart& start, double 
   ending_ = {number_, Outcome::preempted, Cause::none, step_, -1};
 }
 
-// Feet that don't find the ground, lose it, or can't get where they are to be.
+// Detects feet that do not find the ground, lose it, or cannot reach their targets.
 void Sequencer::watch(const Executor& executor, double dt) noexcept {
   regaining_ = false;
-  LegId doubtful = -1;  // touches, for how long is not known yet
+  LegId doubtful = -1;  // has contact that is not confirmed yet
   for (LegId i = 0; i < beyond_.size(); ++i) {
     const LegLane& lane = executor.legs()[i];
     if (lane.exhausted && !given_up_.contains(i))
@@ -193,7 +193,7 @@ void Sequencer::end_action() noexcept {
   step_ = 0;
 }
 
-// Pauses stop the time of all plans, smoothly.
+// A pause ramps the rate of all plans' time to 0.
 void Sequencer::set_rate(Executor& executor, double dt) noexcept {
   const double wish = paused_ || regaining_ ? 0.0 : 1.0;
   const double most = dt / params_.pause_time;

@@ -6,59 +6,60 @@
 
 namespace hexagait {
 
-/// When a new action may take the place of the one under way.
+/// When a new action replaces the present one.
 enum class Preemption : std::uint8_t {
-  at_once,      ///< feet in the air that are to stand come down first
-  end_of_step,  ///< after the step under way
-  wait,         ///< after the whole action
+  at_once,      ///< as soon as feet in the air have been lowered to the ground
+  end_of_step,  ///< after the present step
+  wait,         ///< after the present action
 };
 
-/// Called when a step with a custom command starts. Must not throw, and in a real-time program not
-/// take long.
+/// Called when a step with a custom command starts. Must not throw, nor block in a real-time
+/// program.
 using CustomHandler = void (*)(const action::CustomCommand& command, void* context);
 
 struct SequencerParams {
   PlannerParams planner;
-  double pause_time = 0.2;  ///< in which everything comes to rest, and gets under way again [s]
-  /// A foot whose set point is beyond its leg's reach for longer than this fails the action [s].
+  double pause_time = 0.2;  ///< time in which motions slow to a stop, and speed up again [s]
+  /// The action fails if the set point of a foot is out of reach for longer than this [s].
   double reach_time = 0.2;
-  /// Time that a step may spend regaining contact, in all [s]. Ends also what flickers for ever.
+  /// Longest total time of a step spent regaining contact [s]; also ends a contact that flickers.
   double regain_limit = 5.0;
 };
 
-/// The barriers of scripted actions ([FG16] II-A): the motions of a step start together, and the
-/// next step starts when all have ended; what feet feel on the way changes the course of things
-/// ([FG16] III-B):
+/// Executes the steps of scripted actions ([FG16] II-A): the motions of a step start together, and
+/// the next step starts when all have ended. Contacts change the course of a step ([FG16] III-B):
 ///
-///   contact early       the foot stands, if it is to; else it goes on as planned
-///   contact late        the step waits, the foot goes on along the normal
-///   no contact at all   the action fails: no_contact
-///   support lost        everything waits while the foot searches; in vain: lost_contact
+///   contact early     the foot stands, if it should; otherwise it continues as planned
+///   contact late      the step waits while the foot moves on against the surface normal
+///   no contact        the action fails: no_contact
+///   support lost      everything waits while the foot searches; if in vain, lost_contact
 ///
-/// An action that fails or is preempted stops: feet in the air that are to stand come down, the
-/// base comes to rest, and then there is a result. Every action ends with one.
+/// An action that fails or is preempted stops: feet in the air are lowered to the ground, the base
+/// comes to rest, and then there is a result. Every action ends with a result.
 ///
-/// Drives an Executor that it does not own; a value like it.
+/// Drives an Executor that it does not own. A value, like the executor. The robot model must
+/// outlive it.
 class Sequencer {
  public:
   Sequencer(const RobotModel& model, const SequencerParams& params);
+  Sequencer(const RobotModel&&, const SequencerParams&) = delete;
 
-  /// Forgets all actions; the handler stays.
+  /// Drops all actions; keeps the handler.
   void reset();
 
-  /// Accepts an action, to be carried out when `preemption` allows. One that was accepted before
-  /// and has not begun is dropped. Allocates: call it between ticks.
+  /// Accepts an action and starts it when `preemption` allows. Drops an action accepted earlier
+  /// that has not started. Allocates: call it between ticks.
   void submit(action::Action action, Preemption preemption, Executor& executor);
 
-  /// Replaces the steps after the one under way (receding horizon). Allocates.
+  /// Replaces the steps after the present one (receding horizon). Allocates.
   void replace(std::vector<action::Step> steps, Executor& executor);
 
-  /// Ends the action under way.
+  /// Ends the present action as preempted.
   void stop(Preemption when) noexcept;
-  /// Ends it as failed.
+  /// Ends the present action as failed.
   void fail(Cause cause, LegId leg = -1) noexcept;
 
-  /// Ends everything at once, without coming to a stance: the robot can't be moved any more.
+  /// Ends everything at once, without lowering feet: the robot can no longer be moved.
   void give_up() noexcept;
 
   void pause() noexcept { paused_ = true; }
@@ -69,16 +70,16 @@ class Sequencer {
     context_ = context;
   }
 
-  /// Before each Executor::advance(): steps end and start.
+  /// Ends and starts steps. To be called before each Executor::advance().
   void update(Executor& executor, const RobotState& state, const Frames& frames,
               double dt) noexcept;
 
   [[nodiscard]] const ActionFeedback& feedback() const { return feedback_; }
-  /// Of the action that ended last.
+  /// Result of the last action that ended.
   [[nodiscard]] const ActionResult& result() const { return result_; }
   [[nodiscard]] const StepPlan& plan() const { return planner_.last(); }
   [[nodiscard]] const action::Action& action() const { return action_; }
-  /// Nothing to do, and nothing to come.
+  /// No action is being executed or waits to be.
   [[nodiscard]] bool idle() const { return feedback_.status == ActionStatus::idle && !waiting_; }
 
  private:
@@ -101,26 +102,26 @@ class Sequencer {
   CustomHandler handler_ = nullptr;
   void* context_ = nullptr;
 
-  // What is to be done.
+  // Actions.
   action::Action action_, next_action_;
-  bool active_ = false;   ///< action_ is under way
-  bool waiting_ = false;  ///< next_action_ is to come
+  bool active_ = false;   ///< action_ is being executed
+  bool waiting_ = false;  ///< next_action_ will follow
   bool stops_after_step_ = false;
   bool paused_ = false;
 
-  // How far it is.
-  std::uint64_t number_ = 0;  ///< of action_
-  int step_ = 0;              ///< under way, from 1; 0: none
-  double elapsed_ = 0.0;      ///< in the step, in the time of its plans [s]
-  double rate_ = 1.0;         ///< of that time
-  LegSet given_up_;           ///< feet that had found no ground before this action
+  // Progress.
+  std::uint64_t number_ = 0;  ///< number of action_
+  int step_ = 0;              ///< present step, from 1; 0: none
+  double elapsed_ = 0.0;      ///< time in the step, at the rate of its plans [s]
+  double rate_ = 1.0;         ///< rate of that time
+  LegSet given_up_;           ///< feet that failed to find ground before this action
   bool regaining_ = false;
   double regain_time_ = 0.0;  ///< spent regaining contact in this step [s]
-  LegArray<double> beyond_;   ///< for how long each foot has been out of reach [s]
+  LegArray<double> beyond_;   ///< time for which each foot has been out of reach [s]
 
-  // How it ends.
+  // End.
   bool stopping_ = false;
-  double stop_time_ = -1.0;  ///< since the stop began [s]; < 0: not yet
+  double stop_time_ = -1.0;  ///< since the stop began [s]; < 0: it has not
   ActionResult ending_;
 
   ActionFeedback feedback_;

@@ -9,15 +9,15 @@
 namespace hexagait {
 namespace {
 
-// A base that is farther than this from its plan starts anew from where it is [m], [rad].
+// A base farther than this from its plan starts from its estimated pose instead [m], [rad].
 constexpr double kNearPlan = 0.03;
 
-// A height that the legs miss by more than this is not kept for the next BaseAuto [m].
+// A height that the legs cannot reach to within this is not kept for the next BaseAuto [m].
 constexpr double kHeightLost = 0.05;
 
 constexpr double kTimeTolerance = 1e-9;  // [s]
 
-// Legs that the commands of a step take out of support.
+// Legs that the commands of a step lift.
 LegSet lifted_by(const action::Step& step) {
   LegSet legs;
   for (const action::LegCommand& command : step.legs) {
@@ -36,7 +36,7 @@ LegSet ignored_by(const action::Step& step) {
 
 LegId first_of(LegSet legs) { return legs.empty() ? -1 : std::countr_zero(legs.bits()); }
 
-// From where a base motion starts: where it was told to be, unless something has moved it away.
+// Start of a base motion: the end of the last plan, unless something has moved the base away.
 BaseState start_of_base(const StepStart& start) {
   BaseState from{start.state.X_OB, start.executor.base().twist()};
   if (!start.executor.base_follows()) return from;
@@ -54,14 +54,14 @@ double mean_height(const StanceProblem& problem) {
   return problem.reach.empty() ? 0.0 : sum / problem.reach.size();
 }
 
-// What a BaseTarget or a BaseAuto takes from one pose to another, by its rates [s].
+// Duration of a BaseTarget or BaseAuto from one pose to another, by its rates [s].
 template <class Command>
 double duration_of(const Command& command, const Pose& from, const Pose& to, double minimum) {
   return base_duration(from, to, command.average_linear_velocity, command.average_angular_velocity,
                        minimum);
 }
 
-// Mean of two velocities that neither overshoots nor turns back: harmonic, 0 if they oppose.
+// Harmonic mean of two velocities, per axis; 0 if they oppose each other.
 Vector3 passing(const Vector3& before, const Vector3& after) {
   Vector3 v = Vector3::Zero();
   for (int k = 0; k < 3; ++k)
@@ -127,8 +127,8 @@ const StepPlan& StepPlanner::plan(const action::Step& step, const action::Step* 
   return plan_;
 }
 
-// A foot that was sent to a place in the world stays there to the end of the step, whatever the
-// base does. Only feet without a command move along with the base ([FG16] IV-A).
+// A foot whose motion in odom has ended stays there until the step ends, whatever the base does.
+// Only feet without a command move with the base ([FG16] IV-A).
 void StepPlanner::keep_places(const StepStart& start) noexcept {
   for (LegId i = 0; i < plan_.legs.size(); ++i) {
     LegPlan& plan = plan_.legs[i];
@@ -144,20 +144,20 @@ void StepPlanner::plan_legs(const action::Step& step, const StepStart& start) no
     plan_leg(plan, command, start, params_, foot_knots_);
     plan_.moving.insert(leg);
 
-    // A leg that stands already and is told to stand has nothing to do.
+    // A standing leg with the command to stand needs no plan.
     const bool stands = start.executor.legs()[leg].on_ground();
     const bool stays = plan.kind == LegPlan::Kind::keep && plan.lands && stands;
     if (!stays) plan_.commanded.insert(leg);
   }
 }
 
-// Of a leg's motion, the transfer of its load included [s].
+// Duration of a leg's motion, load transfer included [s].
 double StepPlanner::time_of(LegId leg, const StepStart& start) const noexcept {
   const bool unloads = plan_.commanded.contains(leg) && start.executor.legs()[leg].on_ground();
   return plan_.legs[leg].duration + (unloads ? start.executor.params().swing.unload_time : 0.0);
 }
 
-// Statically, by the legs that are left. With none of them left the body lies on something else.
+// Static stability on the remaining legs. If none remain, the body rests on something else.
 void StepPlanner::refuse_to_tip(const action::Step& step, const StepStart& start) noexcept {
   const LegSet lifted = lifted_by(step);
   const LegSet support = without(start.executor.support(), lifted);
@@ -186,7 +186,7 @@ void StepPlanner::plan_base(const action::Step& step, const action::Step* next,
     base_knots_.push_back({goal.duration, goal.X_OB});
   }
 
-  // The base and what goes by rates wait for each other; both end together.
+  // The base and rate-based leg motions wait for each other: they end together.
   double& time = base_knots_.back().time;
   const bool rates = !std::holds_alternative<action::BaseTrajectory>(step.base->motion);
   if (!ignores_legs) {
@@ -204,7 +204,7 @@ void StepPlanner::plan_base(const action::Step& step, const action::Step* next,
   plan_.duration = std::max(plan_.duration, time);
 }
 
-// Where a target or BaseAuto sends the base, and in what time.
+// Goal pose and duration of a BaseTarget or BaseAuto.
 StepPlanner::BaseGoalPose StepPlanner::base_goal(const action::Step& step, const action::Step* next,
                                                  const StepStart& start,
                                                  const Pose& from) noexcept {
@@ -231,8 +231,8 @@ StanceProblem StepPlanner::stance_problem(const action::BaseAuto& command, LegSe
   problem.p_OF = LegArray<Vector3>(n);
   problem.support = without(start.executor.support(), lifted);
 
-  // To reach: where moving legs will be, and where the others stand. What hangs in the air moves
-  // with the body.
+  // Feet to reach: the targets of moving legs, the footholds of the others. Legs that hang in the
+  // air move with the body.
   for (LegId i = 0; i < n; ++i) {
     const LegLane& lane = start.executor.legs()[i];
     const bool moves = plan_.moving.contains(i);
@@ -260,8 +260,8 @@ Pose StepPlanner::best_stance(const action::BaseAuto& command, const action::Ste
   return plan_.stance.X_OB;
 }
 
-// The base passes from step to step without a stop where the next one moves it on. Not if legs are
-// to land in this one: they may be late; nor if anything else lasts longer.
+// Twist at the end of the base's motion: not 0 if the next step moves the base on, unless a leg
+// lands in this step, which may be late, or anything else lasts longer.
 Twist StepPlanner::end_twist(const action::Step& step, const action::Step* next,
                              const StepStart& start, const Pose& from) const noexcept {
   if (!next || !next->base) return {};
@@ -285,10 +285,10 @@ Twist StepPlanner::end_twist(const action::Step& step, const action::Step* next,
                   rotation_vector(R_EO * after.X_AB.R) / after.time)};
 }
 
-// The first pose to which a step moves the base, and in what time, as far as is known before.
+// The first pose of the base in a step and its time, as far as they are known in advance.
 BaseKnot StepPlanner::first_goal(const action::Step& step, const BaseKnot& from,
                                  const StepStart& start) const noexcept {
-  // What is given in the body is meant from where the body will be then.
+  // Poses in the body frame are relative to where the body will be then.
   const auto in_odom = [&from, &start](FrameId frame) {
     const Placement place = start.step_frames.place(frame, start.frames, start.state);
     return place.in_body ? from.X_AB * place.X_PA : place.X_PA;

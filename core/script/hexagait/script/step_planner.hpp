@@ -7,21 +7,21 @@
 
 namespace hexagait {
 
-/// What a step has become.
+/// A step, resolved into plans.
 struct StepPlan {
-  LegSet moving;     ///< legs that have a motion
-  LegSet commanded;  ///< of these, those to be given legs[i]
+  LegSet moving;     ///< legs with a motion
+  LegSet commanded;  ///< of these, those that need their plan legs[i]
   LegArray<LegPlan> legs;
   bool moves_base = false;
   BasePlan base;
-  double duration = 0.0;      ///< of all that is timed, load transfer included [s]
-  Cause cause = Cause::none;  ///< why the step can't be
-  LegId leg = -1;             ///< and because of which leg
+  double duration = 0.0;      ///< of the step, load transfer included [s]
+  Cause cause = Cause::none;  ///< why the step cannot be executed
+  LegId leg = -1;             ///< leg that causes it; -1: none
   StancePose stance;          ///< of the last BaseAuto
 };
 
-/// From commands to motions over time: frames, durations, pose adaptation. A value: a copy has the
-/// same room.
+/// Resolves the commands of a step into plans over time: frames, durations, pose adaptation. A
+/// value: a copy has the same capacity.
 class StepPlanner {
  public:
   StepPlanner(const RobotModel& model, const PlannerParams& params);
@@ -31,10 +31,11 @@ class StepPlanner {
   StepPlanner& operator=(StepPlanner&&) noexcept = default;
   ~StepPlanner() = default;
 
-  /// Room for all steps of an action, here and in the executor. Nothing else allocates.
+  /// Allocates space for all steps of an action, here and in the executor. Nothing else allocates.
   void reserve(const action::Action& action, Executor& executor);
 
-  /// @param next  the step after this one, if there is one: the body prepares for it
+  /// Resolves a step.
+  /// @param next  the following step, or null; BaseAuto prepares for it
   [[nodiscard]] const StepPlan& plan(const action::Step& step, const action::Step* next,
                                      const StepStart& start) noexcept;
   [[nodiscard]] const StepPlan& last() const { return plan_; }

@@ -26,7 +26,7 @@ FootTracks walked(double yaw_error, const walk::Localisation& localisation = {})
   sim3d::WorldParams params;
   params.start.shift = {kRoute.start, 0.0};
   sim3d::World world(argos(), {}, params, walk::nominal_posture(argos()));
-  MiscalibratedPlant plant(world, yaw_error);
+  MiscalibratedPlant plant(world, argos(), yaw_error);
   auto footholds = footholds_along(kRoute, argos(), world.terrain());
   footholds.resize(2);
   ActionRunner runner(argos());

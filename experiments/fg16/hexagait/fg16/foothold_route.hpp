@@ -10,6 +10,9 @@
 
 namespace hexagait::experiments {
 
+/// Where terrain "step:H" goes up: the front end of its start pad [m].
+inline constexpr double kStepBegins = 0.6;
+
 /// A place for a foot.
 struct Foothold {
   LegId leg = 0;

@@ -47,16 +47,21 @@ class JumpingLocalisation {
 /// know: what it reads is true + error, what it is told is carried out − error. By leg odometry it
 /// walks straight on; truly it walks off to the side by the error times the distance. A drift as
 /// real robots have it, from within.
+///
+/// The yaw joint of a leg is the first one whose axis is vertical with all joints at zero; the
+/// error is about z upwards, also where the axis points down.
 class MiscalibratedPlant : public Plant {
  public:
-  MiscalibratedPlant(Plant& plant, double yaw_error) : plant_(plant), error_(yaw_error) {}
+  /// @param yaw_error  [rad]
+  /// @throws InvalidInput  if a leg has no yaw joint
+  MiscalibratedPlant(Plant& plant, const RobotModel& robot, double yaw_error);
 
   PlantStatus read(Measurement& measurement) override;
   void write(const JointTargets& targets) override;
 
  private:
   Plant& plant_;
-  double error_;  ///< [rad]
+  LegArray<LegJoints> error_;  ///< [rad]
 };
 
 }  // namespace hexagait::experiments

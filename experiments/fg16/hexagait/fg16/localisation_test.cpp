@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <hexagait/fg16/localisation.hpp>
+#include <hexagait/text/invalid_input.hpp>
 
 namespace hexagait::experiments {
 namespace {
@@ -82,10 +84,20 @@ class Joints : public Plant {
   LegArray<LegJoints> q = LegArray<LegJoints>(6, leg_joints({0.1, 0.2, 0.3}));
 };
 
+// Six legs with these joint axes.
+RobotModel model(std::initializer_list<Vector3> axes) {
+  RobotModel robot;
+  LegModel leg;
+  std::ranges::copy(axes, leg.axis_B0.begin());
+  robot.legs = LegArray<LegModel>(6, leg);
+  return robot;
+}
+
 // What it is told it reports as done, and truly does with the error.
 TEST(MiscalibratedPlant, IsOffByItsErrorAndDoesNotKnow) {
   Joints robot;
-  MiscalibratedPlant plant(robot, 0.02);
+  MiscalibratedPlant plant(robot, model({Vector3::UnitZ(), Vector3::UnitY(), Vector3::UnitY()}),
+                           0.02);
   const LegArray<LegJoints> zero(6, LegJoints::Zero());
   plant.write({LegArray<LegJoints>(6, leg_joints({0.5, 0.6, 0.7})), zero, zero});
   Measurement measurement;
@@ -94,6 +106,22 @@ TEST(MiscalibratedPlant, IsOffByItsErrorAndDoesNotKnow) {
     EXPECT_NEAR((measurement.q[i] - leg_joints({0.5, 0.6, 0.7})).norm(), 0.0, 1e-15);
     EXPECT_NEAR((robot.q[i] - leg_joints({0.48, 0.6, 0.7})).norm(), 0.0, 1e-15);
   }
+}
+
+// A hip that rolls first; the yaw axis comes second and points down.
+TEST(MiscalibratedPlant, FindsTheYawJointByItsAxis) {
+  Joints robot;
+  MiscalibratedPlant plant(robot, model({Vector3::UnitX(), -Vector3::UnitZ(), Vector3::UnitY()}),
+                           0.02);
+  Measurement measurement;
+  EXPECT_EQ(plant.read(measurement), PlantStatus::fresh);
+  EXPECT_NEAR((measurement.q[5] - leg_joints({0.1, 0.18, 0.3})).norm(), 0.0, 1e-15);
+}
+
+TEST(MiscalibratedPlant, RefusesALegWithoutAYawJoint) {
+  Joints robot;
+  const RobotModel no_yaw = model({Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitY()});
+  EXPECT_THROW(MiscalibratedPlant(robot, no_yaw, 0.02), InvalidInput);
 }
 
 }  // namespace

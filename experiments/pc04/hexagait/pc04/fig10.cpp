@@ -8,7 +8,7 @@
 #include <cmath>
 #include <hexagait/pc04/judges.hpp>
 #include <hexagait/pc04/pc04.hpp>
-#include <hexagait/recording/snapshot_figure.hpp>
+#include <hexagait/pc04/snapshots.hpp>
 
 namespace hexagait::experiments {
 namespace {
@@ -27,27 +27,18 @@ Outcome fig10(const ExperimentContext& context, figures::StagedFiles& files) {
   simulation.trial.schedule = {{0.0, Heading::arc(kRadius, 0.0)}};
   simulation.trial.seconds = kSeconds;
 
-  const sim3d::Terrain terrain(simulation.terrain, simulation.seed);
-  recording::Recording recording(terrain);
-  const auto observe = [&](const auto& record, const auto& truth, const auto& referee) {
-    recording.observe(record, truth, referee);
-    if (context.progress) context.progress(recording.samples().back().time / kSeconds);
-  };
-  const walk::Summary summary =
-      recording::simulate(*context.robot, simulation, observe, context.stop);
-
+  const auto [recording, summary] = record(context, simulation);
   const double end = recording.samples().back().time;
-  recording::draw_snapshots(
+  draw_snapshots(
       files,
-      {.stem = "fig10",
-       .headline =
-           fmt::format("A turn to the left over boxes of up to {:.0f} cm", 100.0 * kRoughness),
-       .subtitle = fmt::format("{} · r = {:.1f} m · {:.1f} m in {:.0f} s · never more than {:.1f} "
-                               "cm off the commanded curve · after [PC04] Fig. 10",
-                               context.robot->name, kRadius, summary.distance, summary.seconds,
-                               100.0 * summary.lateral_max),
-       .times = {0.0, 0.25 * end, 0.5 * end, 0.75 * end, end},
-       .terrain = &terrain},
+      context.figure(
+          "fig10", 0, 0,
+          fmt::format("A turn to the left over boxes of up to {:.0f} cm", 100.0 * kRoughness),
+          fmt::format("{} · r = {:.1f} m · {:.1f} m in {:.0f} s · at most {:.1f} cm off "
+                      "the commanded curve · after [PC04] Fig. 10",
+                      context.robot->name, kRadius, summary.distance, summary.seconds,
+                      100.0 * summary.lateral_max)),
+      {0.0, 0.25 * end, 0.5 * end, 0.75 * end, end}, {simulation.terrain, simulation.seed},
       recording, *context.robot);
   return {.walk = recording::WalkReport{context.robot->name, simulation, summary},
           .verdicts = judge_fig10(summary)};

@@ -4,10 +4,11 @@
 // [PC04] Fig. 3: the slow wave gait (β = 5/6) as a gait diagram with the types of its gait states,
 // and the rest of the family of wave gaits, of which section 3.2 tells in words.
 #include <fmt/format.h>
-#include <fmt/ostream.h>
 
 #include <algorithm>
-#include <hexagait/figures/gnuplot.hpp>
+#include <hexagait/figures/csv.hpp>
+#include <hexagait/pc04/fig3.gp.hpp>
+#include <hexagait/pc04/gait_tables.hpp>
 #include <hexagait/pc04/judges.hpp>
 #include <hexagait/pc04/pc04.hpp>
 #include <hexagait/sim2d/slice_model.hpp>
@@ -58,19 +59,18 @@ sim2d::SliceRobot settled_robot(const WaveGait& gait) {
   }
 }
 
-// Rows "panel,from,to,…" of the times in which value(record) stays the same; rows without are left
-// out.
-template <class Value>
-void write_spans(std::ostream& out, std::size_t panel, const std::vector<sim2d::SliceRecord>& walk,
-                 const Value& value) {
+// write(from, to, key) of each time in which key(record) stays the same.
+template <class Key, class Write>
+void for_each_span(const std::vector<sim2d::SliceRecord>& walk, const Key& key,
+                   const Write& write) {
   for (std::size_t from = 0, to = 0; from < walk.size(); from = to) {
-    const std::string row = value(walk[from]);
-    while (to < walk.size() && value(walk[to]) == row) ++to;
-    if (!row.empty()) fmt::print(out, "{},{},{},{}\n", panel, from, to, row);
+    const auto of_span = key(walk[from]);
+    while (to < walk.size() && key(walk[to]) == of_span) ++to;
+    write(from, to, of_span);
   }
 }
 
-void walk(WaveGait& gait, std::size_t panel, std::ostream& steps, std::ostream& states) {
+void walk(WaveGait& gait, std::size_t panel, figures::Csv& steps, figures::Csv& states) {
   sim2d::SliceRobot robot = settled_robot(gait);
   std::vector<sim2d::SliceRecord> records;
   std::string types;
@@ -86,79 +86,42 @@ void walk(WaveGait& gait, std::size_t panel, std::ostream& steps, std::ostream& 
   gait.found = period_of(types);
 
   for (LegId leg = 0; leg < 6; ++leg)
-    write_spans(steps, panel, records, [&](const sim2d::SliceRecord& record) {
-      return record.airborne.contains(leg) ? std::to_string(leg + 1) : std::string();
-    });
-  write_spans(states, panel, records, [](const sim2d::SliceRecord& record) {
-    const auto type = type_of(record.gait.state);
-    return fmt::format("{},{},{}", to_string(record.gait.state), letter_of(type),
-                       static_cast<int>(type));
-  });
+    for_each_span(
+        records, [&](const auto& record) { return record.airborne.contains(leg); },
+        [&](std::size_t from, std::size_t to, bool in_air) {
+          if (in_air) steps.row(panel, from, to, leg + 1);
+        });
+  for_each_span(
+      records, [](const auto& record) { return record.gait.state; },
+      [&](std::size_t from, std::size_t to, const gait_state::GaitState& state) {
+        const auto type = type_of(state);
+        states.row(panel, from, to, to_string(state), letter_of(type), static_cast<int>(type));
+      });
 }
 
-constexpr const char* kScript = R"(
-set multiplot
-state_font = sized(":Bold", 9)
-set label 1 headline at screen 0.05, 0.955 left noenhanced font sized("", 15) textcolor rgb ink
-set label 2 subtitle at screen 0.05, 0.905 left noenhanced font sized("", 10.5) textcolor rgb grey
-unset key
-set xrange [0:72]; set yrange [7.75:0.4]
-set xtics 12
-set grid noytics
-set style fill solid 1 noborder
-row(leg) = leg == 2 ? 1 : leg == 4 ? 2 : leg == 6 ? 3 : leg == 1 ? 4 : leg == 3 ? 5 : 6
-set ytics ("2" 1, "4" 2, "6" 3, "1" 4, "3" 5, "5" 6, "state" 7.2) scale 0
-do for [p=0:3] {
-  left = 0.05 + 0.49*(p % 2); top = 0.82 - 0.415*(p/2)
-  set lmargin at screen left; set rmargin at screen left + 0.435
-  set tmargin at screen top; set bmargin at screen top - 0.30
-  set label 3 word(betas, p+1) at graph 0, graph 1 offset 0, 0.9 left textcolor rgb ink \
-      font sized(":Bold", 11)
-  set label 4 word(lifts, p+1) at graph 1, graph 1 offset 0, 0.9 right textcolor rgb grey \
-      font sized("", 9.5)
-  if (p > 1) { set xlabel "time [slices]" offset 0, 0.4 } else { unset xlabel }
-  plot "fig3-steps.csv" using ($1 == p && int($4) % 2 == 1 ? $2 : NaN):(row($4)):2:3:(row($4)-0.34):(row($4)+0.34) \
-           with boxxyerror lc rgb left_side, \
-       "fig3-steps.csv" using ($1 == p && int($4) % 2 == 0 ? $2 : NaN):(row($4)):2:3:(row($4)-0.34):(row($4)+0.34) \
-           with boxxyerror lc rgb right_side, \
-       "fig3-states.csv" using ($1 == p ? $2 : NaN):(7):2:3:(6.85):(7.55):(type_shade($6)) \
-           with boxxyerror lc rgb variable, \
-       "fig3-states.csv" using ($1 == p ? 0.5*($2+$3) : NaN):(7.2):5:($6 == 4 ? 0xffffff : 0x1d2b36) \
-           with labels font state_font textcolor rgb variable
-  unset label 1; unset label 2
-}
-unset multiplot
-)";
-
-void draw(figures::StagedFiles& files, const std::vector<WaveGait>& gaits) {
-  std::string betas, lifts;
+figures::Variables variables(const std::vector<WaveGait>& gaits) {
+  std::vector<std::string> titles, lifts;
   for (const WaveGait& gait : gaits) {
-    betas += fmt::format("\"β = {}\" ", gait.label);
-    lifts += fmt::format("\"legs {}\" ", gait.lifts);
+    titles.push_back(fmt::format("β = {}", gait.label));
+    lifts.push_back("legs " + gait.lifts);
   }
-  std::ofstream script = files.create("fig3.gp");
-  script
-      << figures::figure_preamble("fig3.svg", 1300, 780)
-      << "headline = 'One family of wave gaits, from the slow wave to the tripod gait'\n"
-      << "subtitle = 'bars: the leg is in the air; right legs above, left legs below · last row: "
-         "type of the gait state · after [PC04] Fig. 3 and section 3.2'\n"
-      << "betas = " << figures::quoted(betas) << "\nlifts = " << figures::quoted(lifts) << '\n'
-      << kScript;
-  script.close();
-  figures::draw_figure(files, "fig3");
+  return {{"titles", titles}, {"lifts", lifts}};
 }
 
 }  // namespace
 
-Outcome fig3(const ExperimentContext&, figures::StagedFiles& files) {
+Outcome fig3(const ExperimentContext& context, figures::StagedFiles& files) {
   std::vector<WaveGait> gaits = family();
-  std::ofstream steps = files.create("fig3-steps.csv"), states = files.create("fig3-states.csv");
-  steps << "panel,from,to,leg\n";
-  states << "panel,from,to,state,type,type_number\n";
+  figures::Csv steps("panel,from,to,leg"), states("panel,from,to,state,type,type_number");
   for (std::size_t k = 0; k < gaits.size(); ++k) walk(gaits[k], k, steps, states);
-  steps.close();
-  states.close();
-  draw(files, gaits);
+  files.write("fig3-steps.csv", steps.text());
+  files.write("fig3-states.csv", states.text());
+  figures::draw_figure(
+      files,
+      context.figure("fig3", 1300, 780, "Wave gaits of four duty factors",
+                     "bars: the leg is in the air; right legs above, left legs below · last row: "
+                     "type of the gait state · after [PC04] Fig. 3 and section 3.2"),
+      variables(gaits), scripts::pc04::fig3);
 
   figures::Table table{{"duty factor", "types", "lifts of half the time shown"}, {}};
   for (const WaveGait& gait : gaits) table.rows.push_back({gait.label, gait.found, gait.lifts});

@@ -26,7 +26,7 @@ constexpr int kLegs = 6;
 const std::map<char, std::string> kCanonical = {
     {'A', "<<<>>>"}, {'B', "<<><>>"}, {'C', "<<>><>"}, {'D', "<><><>"}};
 // By the number of legs that step together.
-constexpr std::array<const char*, 4> kColour = {"", "#2f6f9f", "#c99a2e", "#c4472b"};
+constexpr std::array<const char*, 4> kColour = {"", "left_side", "right_side", "accent"};
 
 std::vector<Transition> transitions() {
   std::vector<Transition> all;
@@ -71,7 +71,7 @@ std::vector<Vector2> curve(const Vector2& from, const Vector2& to, double bulge,
 }
 
 void label(figures::Drawing& drawing, const Vector2& place, int legs, double points) {
-  drawing.disc(place, 0.72 * points, "#ffffff", "#ffffff");
+  drawing.disc(place, 0.72 * points, figures::kWhite, figures::kWhite);
   drawing.text(place, std::to_string(legs),
                {.points = points, .colour = kColour[static_cast<std::size_t>(legs)], .bold = true});
 }
@@ -79,7 +79,7 @@ void label(figures::Drawing& drawing, const Vector2& place, int legs, double poi
 void node(figures::Drawing& drawing, const Vector2& place, double radius, char type,
           const std::string& state) {
   drawing.disc(place, radius, figures::type_shade(type), figures::kInk);
-  const char* const ink = type == 'D' ? "#ffffff" : figures::kInk;
+  const char* const ink = type == 'D' ? figures::kWhite : figures::kInk;
   const double shift = state.empty() ? 0.0 : 6.0;
   drawing.text(place - Vector2(0.0, shift), std::string(1, type),
                {.points = 0.45 * radius, .colour = ink, .bold = true});
@@ -160,7 +160,9 @@ figures::Drawing drawn(const std::vector<Transition>& all) {
   }
   drawing.text({50.0, 118.0}, "a   Modulo rotations of the ring",
                {.points = 11.0, .align = "left", .bold = true});
-  drawing.text({560.0, 118.0}, "b   All 20 states",
+  std::set<std::string> states;
+  for (const Transition& t : all) states.insert(to_string(t.from));
+  drawing.text({560.0, 118.0}, fmt::format("b   All {} states", states.size()),
                {.points = 11.0, .align = "left", .bold = true});
   draw_types(drawing, all);
   draw_states(drawing, all);

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <hexagait/pc04/judges.hpp>
 #include <hexagait/pc04/pc04.hpp>
-#include <hexagait/recording/snapshot_figure.hpp>
+#include <hexagait/pc04/snapshots.hpp>
 
 namespace hexagait::experiments {
 namespace {
@@ -26,12 +26,14 @@ walk::Schedule trajectory() {
           {45.0, Heading::straight(0.0)}};
 }
 
+// Between two lifts; also before the first and after the last.
 double longest_pause(const recording::Recording& recording) {
-  double pause = 0.0;
-  const auto& steps = recording.steps();
-  for (std::size_t k = 1; k < steps.size(); ++k)
-    pause = std::max(pause, steps[k].lift - steps[k - 1].lift);
-  return pause;
+  double pause = 0.0, before = 0.0;
+  for (const recording::Recording::Step& step : recording.steps()) {
+    pause = std::max(pause, step.lift - before);
+    before = step.lift;
+  }
+  return std::max(pause, recording.samples().back().time - before);
 }
 
 }  // namespace
@@ -41,23 +43,15 @@ Outcome fig9(const ExperimentContext& context, figures::StagedFiles& files) {
   simulation.trial.schedule = trajectory();
   simulation.trial.seconds = kSeconds;
 
-  recording::Recording recording({simulation.terrain, simulation.seed});
-  const auto observe = [&](const auto& record, const auto& truth, const auto& referee) {
-    recording.observe(record, truth, referee);
-    if (context.progress) context.progress(recording.samples().back().time / kSeconds);
-  };
-  const walk::Summary summary =
-      recording::simulate(*context.robot, simulation, observe, context.stop);
-
-  recording::draw_snapshots(
+  const auto [recording, summary] = record(context, simulation);
+  draw_snapshots(
       files,
-      {.stem = "fig9",
-       .headline = "Straight, turn in place, straight, curve, straight: in one go",
-       .subtitle = fmt::format("{} · {:.1f} m in {:.0f} s · {:.1f} mm off the commanded "
-                               "curve on average · after [PC04] Fig. 9",
-                               context.robot->name, summary.distance, summary.seconds,
-                               1e3 * summary.lateral_mean),
-       .times = {0.0, 6.0, 15.5, 21.5, 27.0, 34.0, 42.0, 55.0}},
+      context.figure("fig9", 0, 0, "Straight, turn in place, straight, curve, straight",
+                     fmt::format("{} · {:.1f} m in {:.0f} s · {:.1f} mm off the commanded curve on "
+                                 "average · after [PC04] Fig. 9",
+                                 context.robot->name, summary.distance, summary.seconds,
+                                 1e3 * summary.lateral_mean)),
+      {0.0, 6.0, 15.5, 21.5, 27.0, 34.0, 42.0, 55.0}, {simulation.terrain, simulation.seed},
       recording, *context.robot);
   return {.walk = recording::WalkReport{context.robot->name, simulation, summary},
           .verdicts = judge_fig9(summary, longest_pause(recording))};

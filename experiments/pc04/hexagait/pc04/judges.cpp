@@ -197,7 +197,7 @@ std::vector<Verdict> judge_fig7b(const std::vector<SliceComparison>& rough,
     return c.settled_speeds(gait);
   };
   const auto strokes = [&](std::size_t gait) {
-    return sample.each(gait, [](const auto& run) { return run.summary.sweep; });
+    return sample.each(gait, [](const auto& run) { return run.summary.stroke; });
   };
   const auto share = [&](std::size_t gait) {
     return estimate(

@@ -109,7 +109,7 @@ SliceComparison comparison(const std::vector<double>& speeds) {
       SliceComparison::Run& run = runs.emplace_back();
       run.summary.speed = speed * (1.0 + 0.001 * k);
       run.settled_speed = 50.0 / 6.0;
-      run.summary.sweep = 50.0 + 0.1 * k;
+      run.summary.stroke = 50.0 + 0.1 * k;
     }
   }
   return c;
@@ -144,7 +144,7 @@ TEST(JudgeFig7a, TakesAWideIntervalForNoProof) {
 
 TEST(JudgeFig7b, WantsTheFreeGaitAheadOnAllRoughGroundsAndNeverBelow) {
   SliceComparison rough = comparison({7.0, 7.5}), flat = comparison({8.35, 8.30});
-  for (auto& run : rough.runs[1]) run.summary.sweep = 70.0 + run.summary.speed;
+  for (auto& run : rough.runs[1]) run.summary.stroke = 70.0 + run.summary.speed;
   EXPECT_EQ(words(judge_fig7b({rough}, {rough, flat}, rough)),
             (Words{kHolds, kHolds, kHolds, kHolds}));
   EXPECT_EQ(words(judge_fig7b({rough, flat}, {rough, flat}, rough)),

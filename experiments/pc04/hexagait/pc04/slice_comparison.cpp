@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
-#include <fmt/ostream.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <hexagait/figures/gnuplot.hpp>
+#include <hexagait/figures/csv.hpp>
+#include <hexagait/pc04/slice_comparison.gp.hpp>
 #include <hexagait/pc04/slice_comparison.hpp>
 
 namespace hexagait::experiments {
@@ -19,6 +19,16 @@ SliceComparison::Run run(const sim2d::SliceConfig& config, std::uint32_t trial) 
   for (int slice = SliceComparison::kTransient; slice < config.slices; ++slice) robot.advance();
   return {robot.summary(),
           (robot.position() - start) / (config.slices - SliceComparison::kTransient)};
+}
+
+// The names by which the figures call the gaits.
+std::string title_of(const std::string& gait) {
+  if (gait == "free") return "free gait";
+  if (gait == "unadjusted") return "free, no adjustment";
+  if (gait == "literal") return "free, 3.3 to the letter";
+  if (gait == "tripod") return "waiting tripod";
+  const double beta = gait_state::parse_gait_choice(gait).value().stepper.duty_factor;
+  return fmt::format("wave, β = {:.2f}", beta);
 }
 
 }  // namespace
@@ -63,33 +73,14 @@ figures::Table summary_table(const SliceComparison& c) {
   for (std::size_t k = 0; k < c.gaits.size(); ++k) {
     const std::vector<double> speeds = c.speeds(k);
     const auto [least, most] = std::ranges::minmax(speeds);
-    const statistics::Estimate sweep =
-        statistics::estimate(c.each(k, [](const auto& run) { return run.summary.sweep; }));
-    const statistics::Estimate share = statistics::estimate(
-        c.each(k, [](const auto& run) { return run.summary.fraction_of_bound(); }));
+    const double sweep = c.mean(k, [](const auto& run) { return run.summary.stroke; });
+    const double share = c.mean(k, [](const auto& run) { return run.summary.fraction_of_bound(); });
     table.rows.push_back({c.terrain, c.gaits[k], spelt(statistics::estimate(speeds)),
                           fmt::format("{:.3f}", statistics::estimate(speeds).sd),
                           fmt::format("{:.2f}", least), fmt::format("{:.2f}", most),
-                          k == 0 ? "–" : spelt(c.ahead_of_first(k)),
-                          fmt::format("{:.1f}", sweep.mean), fmt::format("{:.2f}", share.mean)});
+                          k == 0 ? "–" : spelt(c.ahead_of_first(k)), fmt::format("{:.1f}", sweep),
+                          fmt::format("{:.2f}", share)});
   }
-  return table;
-}
-
-figures::Table trial_table(const SliceComparison& c) {
-  figures::Table table{{"gait_number", "gait", "trial", "speed", "settled_speed", "ahead", "sweep",
-                        "share_of_bound", "lifts", "tripod_after", "hash"},
-                       {}};
-  for (std::size_t k = 0; k < c.gaits.size(); ++k)
-    for (std::size_t trial = 0; trial < c.runs[k].size(); ++trial) {
-      const auto& [s, settled] = c.runs[k][trial];
-      table.rows.push_back({std::to_string(k), c.gaits[k], std::to_string(trial),
-                            fmt::format("{}", s.speed), fmt::format("{}", settled),
-                            fmt::format("{}", s.speed - c.runs[0][trial].summary.speed),
-                            fmt::format("{}", s.sweep), fmt::format("{}", s.fraction_of_bound()),
-                            std::to_string(s.lifts), std::to_string(s.tripod_after),
-                            fmt::format("{:016x}", s.hash)});
-    }
   return table;
 }
 
@@ -105,56 +96,45 @@ std::vector<std::pair<std::string, std::string>> settings_of(const SliceComparis
           {"slices", std::to_string(SliceComparison::kSlices)}};
 }
 
-std::string title_of(const std::string& gait) {
-  if (gait == "free") return "free gait";
-  if (gait == "unadjusted") return "free, no adjustment";
-  if (gait == "literal") return "free, 3.3 to the letter";
-  if (gait == "tripod") return "waiting tripod";
-  const double beta = gait_state::parse_gait_choice(gait).value().stepper.duty_factor;
-  return fmt::format("wave, β = {:.2f}", beta);
+std::string described(const SliceComparison& c) {
+  return fmt::format(
+      "{} random starts × {} slices, the same for every gait · dots: starts · diamonds: means, "
+      "bars and bands: 95 % confidence intervals",
+      c.runs[0].size(), SliceComparison::kSlices);
 }
 
-void write_comparison(figures::StagedFiles& files, const std::string& stem,
-                      const SliceComparison& c) {
-  figures::write_csv(files, stem + "-trials.csv", trial_table(c));
-  std::ofstream means = files.create(stem + "-means.csv");
-  means << "gait_number,gait,mean,sd,half_width_95,ahead,ahead_half_width_95\n";
+void draw_comparison(figures::StagedFiles& files, const figures::Figure& figure,
+                     const SliceComparison& c, figures::Variables variables,
+                     std::string_view script) {
+  figures::Csv trials(
+      "gait_number,gait,trial,speed,settled_speed,ahead,sweep,share_of_bound,lifts,tripod_after,"
+      "hash");
+  figures::Csv means("gait_number,gait,mean,sd,half_width_95,ahead,ahead_half_width_95");
+  std::vector<std::string> names;
+  double least_lead = 0.0, most_lead = 0.0, most_speed = 0.0;
   for (std::size_t k = 0; k < c.gaits.size(); ++k) {
+    names.push_back(title_of(c.gaits[k]));
     const statistics::Estimate speed = statistics::estimate(c.speeds(k)),
                                ahead = c.ahead_of_first(k);
-    fmt::print(means, "{},{},{},{},{},{},{}\n", k, c.gaits[k], speed.mean, speed.sd,
-               speed.half_width, ahead.mean, ahead.half_width);
+    means.row(k, c.gaits[k], speed.mean, speed.sd, speed.half_width, ahead.mean, ahead.half_width);
+    for (std::size_t trial = 0; trial < c.runs[k].size(); ++trial) {
+      const auto& [s, settled] = c.runs[k][trial];
+      const double lead = s.speed - c.runs[0][trial].summary.speed;
+      trials.row(k, c.gaits[k], trial, s.speed, settled, lead, s.stroke, s.fraction_of_bound(),
+                 s.lifts, s.tripod_after, fmt::format("{:016x}", s.hash));
+      least_lead = std::min(least_lead, lead);
+      most_lead = std::max(most_lead, lead);
+      most_speed = std::max(most_speed, s.speed);
+    }
   }
-}
-
-std::string comparison_script(const std::string& stem, const SliceComparison& c) {
-  std::string names;
-  for (std::size_t k = 0; k < c.gaits.size(); ++k)
-    names += fmt::format("{}\"{}\" {}", k > 0 ? ", " : "", title_of(c.gaits[k]), k);
-  return fmt::format("set macros\nrows = '({})'\ntrials = {}; means = {}; last = {}\n", names,
-                     figures::quoted(stem + "-trials.csv"), figures::quoted(stem + "-means.csv"),
-                     c.gaits.size() - 1) +
-         R"(
-# Trials lie beside each other, in the order of their numbers.
-spread(trial) = 0.26*(2.0*((trial*0.618034) - floor(trial*0.618034)) - 1)
-gait_colour(k) = k == 0 ? 0xc99a2e : k == 1 ? 0x2f6f9f : 0x8c99a5
-set yrange [last+0.6:-0.6]
-set ytics @rows scale 0
-set grid noytics
-unset key
-
-# What both panels plot; values stand `lift` above their diamonds.
-speeds = 'trials using 4:($1+spread($3)):(gait_colour($1)) with points pt 7 ps 0.4 lc rgb variable, \
-    means using 3:1:5 with xerrorbars pt 2 ps 0 lw 2 lc rgb ink, \
-    means using 3:1 with points pt 13 ps 1.3 lc rgb ink, \
-    means using 3:1:(sprintf("%.2f", $3)) with labels offset 0, lift font sized("", 9) textcolor rgb ink'
-leads = 'trials using 6:($1 > 0 ? $1+spread($3) : NaN):(gait_colour($1)) \
-        with points pt 7 ps 0.4 lc rgb variable, \
-    means using ($1 > 0 ? $6 : NaN):1:7 with xerrorbars pt 2 ps 0 lw 2 lc rgb ink, \
-    means using ($1 > 0 ? $6 : NaN):1 with points pt 13 ps 1.3 lc rgb ink, \
-    means using ($1 > 0 ? $6 : NaN):1:(sprintf(lead_format, $6, $7)) with labels offset 0, lift \
-        font sized("", 9) textcolor rgb ink'
-)";
+  files.write(figure.stem + "-trials.csv", trials.text());
+  files.write(figure.stem + "-means.csv", means.text());
+  variables.set("names", names);
+  for (const auto& [name, value] :
+       {std::pair{"least_lead", least_lead}, {"most_lead", most_lead}, {"most_speed", most_speed}})
+    variables.set(name, value);
+  figures::draw_figure(files, figure, variables,
+                       std::string(scripts::pc04::slice_comparison).append(script));
 }
 
 }  // namespace hexagait::experiments

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <hexagait/figures/figure.hpp>
 #include <hexagait/figures/table.hpp>
 #include <hexagait/sim2d/slice_model.hpp>
 #include <hexagait/statistics/statistics.hpp>
@@ -24,12 +25,16 @@ struct SliceComparison {
   double seconds = 0.0;                ///< that it took
 
   [[nodiscard]] const std::string& name() const { return terrain; }
-  /// One figure of every trial of a gait.
+  /// One value of every trial of a gait.
   template <class Value>
   [[nodiscard]] std::vector<double> each(std::size_t gait, Value value) const {
     std::vector<double> values;
     for (const Run& run : runs[gait]) values.push_back(value(run));
     return values;
+  }
+  template <class Value>
+  [[nodiscard]] double mean(std::size_t gait, Value value) const {
+    return statistics::estimate(each(gait, value)).mean;
   }
   [[nodiscard]] std::vector<double> speeds(std::size_t gait) const;
   [[nodiscard]] std::vector<double> settled_speeds(std::size_t gait) const;
@@ -43,9 +48,6 @@ struct SliceComparison {
 /// A row per gait: speed with SD and interval, difference to the first gait, S, share of the bound.
 [[nodiscard]] figures::Table summary_table(const SliceComparison& comparison);
 
-/// A row per gait and trial.
-[[nodiscard]] figures::Table trial_table(const SliceComparison& comparison);
-
 /// "8.35 ± 0.01": a mean and the half width of its 95 % confidence interval.
 [[nodiscard]] std::string spelt(const statistics::Estimate& estimate);
 
@@ -53,16 +55,13 @@ struct SliceComparison {
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> settings_of(
     const SliceComparison& comparison);
 
-/// The names by which the figures call the gaits.
-[[nodiscard]] std::string title_of(const std::string& gait);
+/// Of the figures' subtitles: "100 random starts × 500 slices · …".
+[[nodiscard]] std::string described(const SliceComparison& comparison);
 
-/// STEM-trials.csv, a row per gait and trial, and STEM-means.csv, a row per gait.
-void write_comparison(figures::StagedFiles& files, const std::string& stem,
-                      const SliceComparison& comparison);
-
-/// The part of a gnuplot script that names those files, has a row per gait, and spreads the dots of
-/// its trials about it.
-[[nodiscard]] std::string comparison_script(const std::string& stem,
-                                            const SliceComparison& comparison);
+/// Draws a figure with a row per gait, by slice_comparison.gp and what comes after it. Writes
+/// stem-trials.csv, a row per gait and trial, and stem-means.csv, a row per gait.
+void draw_comparison(figures::StagedFiles& files, const figures::Figure& figure,
+                     const SliceComparison& comparison, figures::Variables variables,
+                     std::string_view script);
 
 }  // namespace hexagait::experiments

@@ -53,8 +53,8 @@ figures::Drawing drawn(const std::vector<Table1Cell>& cells) {
     const Vector2 corner(kLeft + kWide * (cell.type - 'A'), kTop + kHigh * (cell.ccn - 1));
     const bool is_target = cell.ccn == kLegs / 2;
     drawing.box(corner + Vector2(5.0, 5.0), corner + Vector2(kWide - 5.0, kHigh - 5.0),
-                is_target ? figures::type_shade(cell.type) : "#f3f5f7");
-    const char* const ink = is_target && cell.type == 'D' ? "#ffffff" : figures::kInk;
+                is_target ? figures::type_shade(cell.type) : "'#f3f5f7'");
+    const char* const ink = is_target && cell.type == 'D' ? figures::kWhite : figures::kInk;
     for (const std::string& state : cell.classes)
       drawing.text(corner + Vector2(0.5 * kWide, 0.5 * kHigh - 10.0), spaced(state),
                    {.points = 14.0, .colour = ink, .mono = true});

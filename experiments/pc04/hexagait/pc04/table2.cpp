@@ -50,7 +50,7 @@ void draw_row(figures::Drawing& drawing, double y, const Table2Row& row, std::si
     const auto i = static_cast<std::size_t>(k % kLegs);
     const double x = kState + kPitch * k;
     const bool stands = row.ground[i] == '*';
-    drawing.disc({x, y + 11.0}, 5.0, stands ? figures::kInk : "#ffffff", figures::kInk);
+    drawing.disc({x, y + 11.0}, 5.0, stands ? figures::kInk : figures::kWhite, figures::kInk);
     drawing.text(
         {x, y - 9.0}, std::string(1, static_cast<char>('a' + k % kLegs)),
         {.points = 11.5, .colour = stands ? figures::kInk : figures::kAccent, .bold = !stands});
@@ -61,7 +61,7 @@ void draw_row(figures::Drawing& drawing, double y, const Table2Row& row, std::si
   drawing.box({655.0, y - 13.0}, {695.0, y + 13.0}, figures::type_shade(row.type));
   drawing.text(
       {675.0, y}, std::string(1, row.type),
-      {.points = 11.0, .colour = row.type == 'D' ? "#ffffff" : figures::kInk, .bold = true});
+      {.points = 11.0, .colour = row.type == 'D' ? figures::kWhite : figures::kInk, .bold = true});
   drawing.text({730.0, y}, row.event, {.points = 11.0, .align = "left"});
   drawing.text({985.0, y}, agrees ? "as printed" : "differs",
                {.points = 9.5, .colour = agrees ? figures::kGrey : figures::kAccent});
@@ -150,7 +150,7 @@ Outcome table2(const ExperimentContext& context, figures::StagedFiles& files) {
   figures::write_csv(files, "table2.csv", table);
   drawn(rows).draw(
       files,
-      context.figure("table2", 1070, 850, "A tripod gait from a state of type B, event by event",
+      context.figure("table2", 1070, 850, "From a gait state of type B on, event by event",
                      "a … f: the legs along the ring · filled: on the ground · open: in the "
                      "air · after [PC04] Table 2"));
   return {.verdicts = {judge_table2(rows)},

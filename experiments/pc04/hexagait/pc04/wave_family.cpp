@@ -8,10 +8,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <hexagait/figures/gnuplot.hpp>
+#include <hexagait/figures/csv.hpp>
 #include <hexagait/pc04/judges.hpp>
 #include <hexagait/pc04/pc04.hpp>
-#include <hexagait/recording/recording.hpp>
+#include <hexagait/pc04/snapshots.hpp>
+#include <hexagait/pc04/wave_family.gp.hpp>
 
 namespace hexagait::experiments {
 namespace {
@@ -100,139 +101,65 @@ void measure(Segment& segment, const recording::Recording& recording) {
   segment.speed_by_law = speed_by_law(segment);
 }
 
-void write_segments(std::ostream& out, const std::vector<Segment>& segments) {
-  out << "from_s,to_s,duty_factor,name,measured_mean,measured_least,measured_greatest,period_s,"
-         "step_time_s,phase_error,speed_m_s,speed_by_law_m_s\n";
+// What each part was found to be; and the duty factor of every single step: from its lift to the
+// leg's next.
+void write_duty_factors(figures::StagedFiles& files, const std::vector<Segment>& segments,
+                        const recording::Recording& recording) {
+  figures::Csv parts(
+      "from_s,to_s,duty_factor,name,measured_mean,measured_least,measured_greatest,period_s,"
+      "step_time_s,phase_error,speed_m_s,speed_by_law_m_s");
   for (const Segment& s : segments)
-    out << fmt::format("{},{},{:.6f},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f}\n",
-                       s.from, s.to, s.duty_factor, s.name, s.mean_duty, s.least_duty,
-                       s.greatest_duty, s.period, s.step_time, s.phase_error, s.speed,
-                       s.speed_by_law);
-}
-
-// The duty factor of every single step: from its lift to the leg's next.
-void write_duty(std::ostream& out, const recording::Recording& recording) {
-  out << "leg,time_s,duty_factor\n";
+    parts.row(s.from, s.to, s.duty_factor, s.name, s.mean_duty, s.least_duty, s.greatest_duty,
+              s.period, s.step_time, s.phase_error, s.speed, s.speed_by_law);
+  figures::Csv duty("leg,time_s,duty_factor");
   const auto& steps = recording.steps();
   for (auto step = steps.begin(); step != steps.end(); ++step) {
-    const auto next = std::find_if(step + 1, steps.end(), [&](const recording::Recording::Step& s) {
-      return s.leg == step->leg;
-    });
+    const auto next = std::find_if(step + 1, steps.end(),
+                                   [&](const auto& later) { return later.leg == step->leg; });
     if (next == steps.end() || std::isnan(step->land)) continue;
-    out << fmt::format("{},{:.4f},{:.4f}\n", step->leg, step->lift,
-                       1.0 - (step->land - step->lift) / (next->lift - step->lift));
+    duty.row(step->leg, step->lift, 1.0 - (step->land - step->lift) / (next->lift - step->lift));
   }
+  files.write("wave_family-segments.csv", parts.text());
+  files.write("wave_family-duty.csv", duty.text());
 }
 
-constexpr int kWidth = 1500, kHeight = 1000;  // [px]
-constexpr double kWindow = 7.0;               // of the windows below [s]
+void draw(figures::StagedFiles& files, const ExperimentContext& context,
+          const std::vector<Segment>& segments, const recording::Recording& recording) {
+  constexpr double kWindow = 7.0;  // of the panels at the bottom [s]
+  const RobotModel& robot = *context.robot;
+  write_duty_factors(files, segments, recording);
+  std::ofstream steps = files.create("wave_family-steps.csv");
+  recording.write_steps(steps, robot);
+  std::ofstream gait = files.create("wave_family-gait.csv");
+  recording.write_gait(gait);
+  steps.close();
+  gait.close();
 
-constexpr const char* kScript = R"gp(
-set multiplot
-set macros
-small = sized("", 9)
-set label 1 headline at screen 0.05, 0.965 left noenhanced font sized("", 15) textcolor rgb ink
-set label 2 subtitle at screen 0.05, 0.925 left noenhanced font sized("", 10.5) textcolor rgb grey
-set lmargin at screen 0.05; set rmargin at screen 0.985
-
-# a: the duty factor, asked for and of every step
-set bmargin at screen 0.72; set tmargin at screen 0.86
-set label 3 "{/:Bold a}   Duty factor: the share of the time that a leg stands" \
-    at graph 0, graph 1 offset 0, 0.9 left textcolor rgb ink
-set key at graph 1, screen 0.885 right top horizontal samplen 1.5 width 0 font small
-set xrange [0:t_max]; set yrange [0.44:0.89]
-set xtics holding
-set format x ""
-set ytics ("1/2" 0.5, "5/8" 0.625, "3/4" 0.75, "5/6" 0.8333)
-plot segments using 1:3:($2-$1):(0) with vectors nohead lw 6 lc rgb "#c3ccd4" title "asked for", \
-     duty using 2:3 with points pt 7 ps 0.35 lc rgb accent title "of each step"
-unset label 1; unset label 2; unset key
-
-# b: the gait diagram of the whole walk; below it the type of the gait state
-set bmargin at screen 0.45; set tmargin at screen 0.66
-set label 3 "{/:Bold b}   Legs in the air"
-legend_x = 0.865; legend_step = 0.03
-@gait_legend
-set yrange [legs+0.75:-0.65]
-set ytics @row_names scale 0
-set grid noytics
-set format x "%g"
-set xlabel "time [s]" offset 0, 0.6
-set style fill solid 1 noborder
-set style data boxxyerror
-left_bars = '($4-begin):($3 <  legs/2 ? $3 : NaN):($4-begin):($5-begin):($3-0.34):($3+0.34)'
-right_bars = '($4-begin):($3 >= legs/2 ? $3 : NaN):($4-begin):($5-begin):($3-0.34):($3+0.34)'
-state_bars = '($1-begin):(legs):($1-begin):($2-begin):(legs-0.3):(legs+0.4):(type_shade($5))'
-bars = 'plot steps using @left_bars lc rgb left_side, steps using @right_bars lc rgb right_side, ' \
-       .'gait using @state_bars lc rgb variable'
-begin = 0
-@bars
-do for [k=10:24] { unset label k }
-
-# c: the end of each duty factor on the way up, all on one scale of time
-set bmargin at screen 0.07; set tmargin at screen 0.325
-set label 3 "{/:Bold c}   Settled, on the way up; from a lift of the right rear leg on" \
-    at graph 0, graph 1 offset 0, 2.9
-set xtics 0, 1
-set xrange [0:window]
-width = (0.935 + 0.014)/words(begins)
-do for [k=1:words(begins)] {
-  set lmargin at screen 0.05 + (k-1)*width; set rmargin at screen 0.05 + k*width - 0.014
-  begin = word(begins, k) + 0.0
-  set label 4 word(names, k) at graph 0, graph 1 offset 0, 0.9 left textcolor rgb ink \
-      font sized(":Bold", 11)
-  set label 5 word(notes, k) at graph 1, graph 1 offset 0, 0.9 right textcolor rgb grey font small
-  @bars
-  unset label 3
-  set ytics ("" 0) scale 0
-}
-unset multiplot
-)gp";
-
-// What the script is told: files, texts, and the windows of panel c.
-std::string variables(const std::vector<Segment>& segments, const recording::Recording& recording,
-                      const RobotModel& robot) {
-  std::string begins, names, notes;
+  std::vector<double> begins;
+  std::vector<std::string> titles, notes;
   for (std::size_t k = 0; k <= segments.size() / 2; ++k) {
     const Segment& s = segments[k];
-    begins += fmt::format("{:.4f} ", s.judged_from);
-    names += fmt::format("\"β = {}\" ", s.name);
-    notes += fmt::format("\"measured {:.3f}, {:.3f} m/s\" ", s.mean_duty, s.speed);
+    begins.push_back(s.judged_from);
+    titles.push_back(fmt::format("β = {}", s.name));
+    notes.push_back(fmt::format("measured {:.3f}, {:.3f} m/s", s.mean_duty, s.speed));
   }
-  return fmt::format(
-      "segments = 'wave_family-segments.csv'; duty = 'wave_family-duty.csv'\n"
-      "steps = 'wave_family-steps.csv'; gait = 'wave_family-gait.csv'\n"
-      "legs = {}; row_names = '({})'\nt_max = {:.3f}; holding = {}; window = {}\n"
-      "begins = '{}'\nnames = '{}'\nnotes = '{}'\nheadline = {}\nsubtitle = {}\n",
-      robot.num_legs(), recording::row_names(robot), recording.samples().back().time, kHold,
-      kWindow, begins, names, notes,
-      figures::quoted(
-          "One knob from the tripod gait to the slow wave and back, turned while walking"),
-      figures::quoted(
-          fmt::format("{} · straight on, flat ground · β changes every {:.0f} s · after [PC04] "
-                      "3.2, Fig. 3",
-                      robot.name, kHold)));
-}
-
-void draw(figures::StagedFiles& files, const std::vector<Segment>& segments,
-          const recording::Recording& recording, const RobotModel& robot) {
-  const auto table = [&](const char* name, const auto& write) {
-    std::ofstream out = files.create(std::string("wave_family-") + name + ".csv");
-    write(out);
-  };
-  table("segments", [&](std::ostream& out) { write_segments(out, segments); });
-  table("duty", [&](std::ostream& out) { write_duty(out, recording); });
-  table("steps", [&](std::ostream& out) { recording.write_steps(out, robot); });
-  table("gait", [&](std::ostream& out) { recording.write_gait(out); });
-
-  std::ofstream script = files.create("wave_family.gp");
-  script << figures::figure_preamble("wave_family.svg", kWidth, kHeight)
-         << variables(segments, recording, robot) << kScript;
-  script.close();
-  for (const char* suffix : {".svg", ".pdf", ".png"}) {
-    files.expect(std::string("wave_family") + suffix);
-    figures::run_gnuplot(files.staging(), "wave_family.gp", std::string("wave_family") + suffix);
-  }
+  figures::draw_figure(
+      files,
+      context.figure("wave_family", 1500, 1000,
+                     fmt::format("Duty factors from {} to {} and back in one walk",
+                                 segments.front().name, segments[segments.size() / 2].name),
+                     fmt::format("{} · straight on, flat ground · β changes every {:.0f} s · after "
+                                 "[PC04] 3.2, Fig. 3",
+                                 robot.name, kHold)),
+      {{"legs", robot.num_legs()},
+       {"row_names", fmt::format("({})", recording::row_names(robot))},
+       {"t_max", recording.samples().back().time},
+       {"holding", kHold},
+       {"window", kWindow},
+       {"begins", begins},
+       {"titles", titles},
+       {"notes", notes}},
+      scripts::pc04::wave_family);
 }
 
 }  // namespace
@@ -244,15 +171,9 @@ Outcome wave_family(const ExperimentContext& context, figures::StagedFiles& file
   simulation.trial.schedule = schedule(parts);
   simulation.trial.seconds = parts.back().to;
 
-  recording::Recording recording({simulation.terrain, simulation.seed});
-  const auto observe = [&](const auto& record, const auto& truth, const auto& referee) {
-    recording.observe(record, truth, referee);
-    if (context.progress) context.progress(recording.samples().back().time / parts.back().to);
-  };
-  const walk::Summary summary =
-      recording::simulate(*context.robot, simulation, observe, context.stop);
+  const auto [recording, summary] = record(context, simulation);
   for (Segment& segment : parts) measure(segment, recording);
-  draw(files, parts, recording, *context.robot);
+  draw(files, context, parts, recording);
   return {.walk = recording::WalkReport{context.robot->name, simulation, summary},
           .verdicts = judge_wave_family(parts, summary)};
 }

@@ -8,7 +8,7 @@
 namespace hexagait::footstep_gen {
 namespace {
 
-constexpr double kHysteresis = 0.05;  // of the farthest centre's distance
+constexpr double kHysteresis = 0.05;  // of the distance of the farthest centre
 
 }  // namespace
 

@@ -6,17 +6,17 @@
 
 namespace hexagait::footstep_gen {
 
-/// The ring edge (gait 1) between the two legs that are the rear ones for a heading: of all pairs
-/// of neighbours the one whose workspace centres lie farthest against the motion,
+/// The ring edge (gait 1) between the two rear legs of a heading: of all pairs of neighbours, the
+/// one whose workspace centres are farthest against the motion,
 ///
 ///     score = −v · (c_a + c_b) / 2
 ///
-/// v the velocity of the body's origin per metre of path. v fades to 0 on a spin, where no leg is
-/// behind: the pair then stays as it was. Hysteresis: another pair takes over only when it is
-/// farther behind by 5 % of the farthest centre's distance, so that a direction half-way between
-/// two pairs (crabbing at 90°) lets neither flicker.
+/// with v the velocity of the body's origin per metre of path. In a spin v is 0 and no leg is at
+/// the rear; the edge then stays unchanged. Hysteresis: another pair takes over only when it is
+/// farther behind by 5 % of the distance of the farthest centre, so that the edge does not flicker
+/// at a heading half-way between two pairs (crabbing at 90°).
 ///
-/// @param present  the edge that was chosen before; 0 … n − 1
+/// @param present  the previous edge, 0 … n − 1
 [[nodiscard]] int rear_edge(const heading_control::PathArc& arc, int present) noexcept;
 
 }  // namespace hexagait::footstep_gen

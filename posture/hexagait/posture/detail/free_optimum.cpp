@@ -28,16 +28,17 @@ Matrix4 quadratic_form(const Matrix3& S) {
   return N;
 }
 
-// The unit quaternion nearest to no rotation among the eigenvectors of the largest eigenvalue.
+// Among the eigenvectors of the largest eigenvalue, the unit quaternion nearest to the identity.
 Matrix3 best_rotation(const Matrix4& N) {
-  constexpr double kSameEigenvalue = 1e-9;  // of the spectrum's width: feet within 3e-5 of a line
+  constexpr double kSameEigenvalue =
+      1e-9;  // of the width of the spectrum: feet within 3e-5 of a line
   const Eigen::SelfAdjointEigenSolver<Matrix4> eigen(N);
   const Vector4& value = eigen.eigenvalues();
   const double threshold = value[3] - kSameEigenvalue * (value[3] - value[0]);
   Vector4 q = Vector4::Zero();
   for (int j = 0; j < 4; ++j)
     if (value[j] >= threshold) q += eigen.eigenvectors()(0, j) * eigen.eigenvectors().col(j);
-  // Half a turn is as far from the identity in every direction: then any of them.
+  // Rotations by π are all equally far from the identity: return any.
   if (q.norm() < 1e-12) q = eigen.eigenvectors().col(3);
   q.normalize();
   return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();

@@ -7,7 +7,7 @@
 
 namespace hexagait::sim3d::detail {
 
-/// @throws InvalidInput  listing everything that no world can be made from
+/// @throws InvalidInput  listing all values from which no world can be made
 void check(const RobotModel& robot, const WorldParams& params, const LegArray<LegJoints>& q);
 
 }  // namespace hexagait::sim3d::detail

@@ -9,17 +9,17 @@
 
 namespace hexagait::sim3d::detail {
 
-/// A place where a shape of the robot touches the ground, for one physics step.
+/// A contact between a shape of the robot and the ground in one physics step.
 struct Touch {
   const RobotShape* shape = nullptr;
   Vector3 p_MP_W;  ///< from the body's centre of mass to the contact point, world axes [m]
   Vector3 normal;  ///< out of the ground
   dJointFeedback feedback;
 
-  /// After the step: how hard the ground pushes [N].
+  /// Normal force of the ground, after the step [N].
   [[nodiscard]] double normal_force() const;
 
-  /// After the step: velocity of the body's material at the contact point, along the ground [m/s].
+  /// Velocity of the body's material at the contact point along the ground, after the step [m/s].
   [[nodiscard]] Vector3 slip_velocity() const;
 };
 
@@ -30,13 +30,13 @@ class Contacts {
   Contacts(const Contacts&) = delete;
   Contacts& operator=(const Contacts&) = delete;
 
-  /// Replaces the contacts by those of the shapes where they are now.
+  /// Replaces the contacts by those of the shapes at their present poses.
   void find(Ground& ground, std::span<const RobotShape> shapes);
 
   [[nodiscard]] std::span<const Touch> touches() const;
 
  private:
-  // A robot that has fallen flat needs about 60; contacts beyond this number are left out.
+  // A fallen robot has about 60; contacts beyond this number are ignored.
   static constexpr std::size_t kMostContacts = 128;
 
   void add(const RobotShape& shape, const dContactGeom& place);

@@ -9,7 +9,7 @@ namespace {
 constexpr double kDepth = 1.0;      // of the ground below the lowest level [m]
 constexpr int kPatchSamples = 257;  // along an edge of the heightfield patch
 
-// What two shapes have in common, as far as there is room for it.
+// The contacts of two shapes, as many as fit.
 int collide_pair(dGeomID geom, dGeomID other, std::span<dContactGeom> contacts) {
   const int room = std::min(static_cast<int>(contacts.size()), Ground::kContactsPerPair);
   if (room == 0) return 0;
@@ -45,7 +45,7 @@ int Ground::collide(dGeomID geom, std::span<dContactGeom> contacts) {
 }
 
 int Ground::collide_terrain(dGeomID geom, std::span<dContactGeom> contacts) {
-  // Most shapes are above everything that the terrain has.
+  // Most shapes are above the highest point of the terrain.
   Aabb aabb;
   dGeomGetAABB(geom, aabb.data());
   if (aabb[4] > terrain_.spec().height) return 0;
@@ -74,7 +74,7 @@ int Ground::collide_boxes(dGeomID geom, const Aabb& aabb, std::span<dContactGeom
   const int i_last = terrain_.cell_index(aabb[1]), j_last = terrain_.cell_index(aabb[3]);
   int count = 0;
 
-  // One box, put up in each cell under the shape in turn.
+  // One box, placed in each cell under the shape in turn.
   for (int i = terrain_.cell_index(aabb[0]); i <= i_last; ++i) {
     for (int j = terrain_.cell_index(aabb[2]); j <= j_last; ++j) {
       const double level = terrain_.level(i, j);

@@ -10,11 +10,11 @@
 
 namespace hexagait::sim3d::detail {
 
-/// The terrain as something that ODE's shapes can touch.
+/// Collision of ODE's shapes with the terrain.
 ///
-/// There is no scenery: one plane, box or heightfield patch is put where a shape of the robot is,
-/// at the moment of asking. So the ground has no edge and costs nothing where nothing is near.
-/// Blocks on it stand where they are.
+/// The terrain is not part of ODE's world: for each query, a plane, box or heightfield patch is
+/// placed under the shape. So the ground is unbounded and costs nothing away from the robot. Blocks
+/// are fixed.
 class Ground {
  public:
   explicit Ground(const Terrain& terrain, std::span<const Block> blocks = {});
@@ -22,9 +22,8 @@ class Ground {
   Ground& operator=(const Ground&) = delete;
 
   /// Contacts of `geom` with the ground, normals pointing out of the ground.
-  /// @param contacts  where to put them; at most kContactsPerPair for each box, patch or block
-  ///                  touched
-  /// @returns how many were put
+  /// @param contacts  receives them; at most kContactsPerPair for each box, patch or block touched
+  /// @returns their number
   int collide(dGeomID geom, std::span<dContactGeom> contacts);
 
   [[nodiscard]] const Terrain& terrain() const { return terrain_; }

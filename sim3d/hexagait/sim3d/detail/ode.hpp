@@ -29,10 +29,10 @@ using JointGroupPtr = OdePtr<dJointGroupID, dJointGroupDestroy>;
 using HeightfieldDataPtr = OdePtr<dHeightfieldDataID, dGeomHeightfieldDataDestroy>;
 using ThreadingPtr = OdePtr<dThreadingImplementationID, dThreadingFreeImplementation>;
 
-/// Initialises ODE for the process, once, and silences what it would print.
+/// Initialises ODE once per process and silences its output.
 void initialise_ode();
 
-/// How often ODE's constraint solver has complained on this thread since the thread began.
+/// Number of messages from ODE's constraint solver on this thread so far.
 [[nodiscard]] long solver_complaints();
 
 inline Vector3 from_ode(const dReal* v) { return {v[0], v[1], v[2]}; }

@@ -7,7 +7,7 @@
 namespace hexagait::sim3d::detail {
 namespace {
 
-// A body beyond these was thrown by diverging physics. ODE would sooner abort than give us a NaN.
+// Beyond these bounds the physics has diverged. (ODE would abort before it returned a NaN.)
 constexpr double kFarthest = 1e6;  // [m]
 constexpr double kFastest = 1e4;   // [m/s], [rad/s]
 
@@ -25,7 +25,7 @@ Pose pose_of(dBodyID body, const Vector3& p_LM) {
   return {R, from_ode(dBodyGetPosition(body)) - R * p_LM};
 }
 
-// A slim cylinder becomes the capsule inside it: exact contacts, and only its rims are lost.
+// A slim cylinder becomes the capsule inside it: its contacts are exact, except at the rims.
 dGeomID make_geom(const Shape& shape) {
   const Vector3& size = shape.size;
   switch (shape.kind) {
@@ -123,11 +123,10 @@ void Robot::move_leg_to(LegId leg, const Pose& X_WB, const LegJoints& q) {
   }
 }
 
-// The solver spends most of its time on rows with bounds, and servos are hardly ever at their
-// limits. So only those that were near theirs in the last step get a bound. If another one then
-// turns out to exceed its limit, the step is taken back and done again with all bounds. A solution
-// in which no bound is active is the solution with these bounds too: this changes the time taken,
-// nothing else.
+// The solver spends most of its time on bounded rows, but servos are rarely at their effort limits.
+// So only those near their limit in the last step are bounded. If another one exceeds its limit,
+// the step is undone and repeated with all bounds. A solution that violates no bound is also the
+// solution of the bounded problem, so this affects only the run time.
 void Robot::step(double age, const Vector3& force_W) {
   servos_.command(age);
   servos_.bound(kNearLimit);
@@ -142,7 +141,7 @@ void Robot::step(double age, const Vector3& force_W) {
   servos_.read_positions();
 }
 
-// A step of ODE forgets the forces on bodies.
+// ODE clears the forces on bodies after each step.
 void Robot::step_world(const Vector3& force_W) {
   if (!force_W.isZero()) dBodyAddForce(base_.body, force_W.x(), force_W.y(), force_W.z());
   dWorldStep(world_, h_);

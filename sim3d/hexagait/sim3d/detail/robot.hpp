@@ -35,20 +35,21 @@ class Robot {
   [[nodiscard]] Servos& servos() { return servos_; }
   [[nodiscard]] const Servos& servos() const { return servos_; }
 
-  /// Takes one physics step of the world, `age` [s] after the servos' targets were set, while a
-  /// force pulls at the base's centre of mass [N], world axes.
+  /// Takes one physics step of the world.
+  /// @param age      time since the servos' targets were set [s]
+  /// @param force_W  external force at the base's centre of mass, world axes [N]
   void step(double age, const Vector3& force_W);
 
   [[nodiscard]] const std::vector<RobotShape>& shapes() const { return shapes_; }
   [[nodiscard]] Pose X_WB() const;
-  [[nodiscard]] Twist V_WB() const;             ///< expressed in the base
+  [[nodiscard]] Twist V_WB() const;             ///< axes of the base
   [[nodiscard]] Vector3 p_WF(LegId leg) const;  ///< foot centre [m]
-  [[nodiscard]] bool is_sane() const;           ///< no body is about to get lost to infinity
+  [[nodiscard]] bool is_sane() const;           ///< all positions and velocities are within bounds
 
  private:
   struct Link {
     dBodyID body = nullptr;
-    Vector3 p_LM = Vector3::Zero();  // centre of mass, where ODE has the body's origin
+    Vector3 p_LM = Vector3::Zero();  // centre of mass, the origin of ODE's body
   };
   struct BodyState {
     Vector3 p, v, w;

@@ -7,7 +7,7 @@
 namespace hexagait::sim3d::detail {
 namespace {
 
-// A motor commanded to be this fast is far beyond any effort limit; faster could overflow [rad/s].
+// Bound on commanded motor speeds: far beyond any effort limit, and prevents overflow [rad/s].
 constexpr double kFastestMotor = 1e3;
 
 }  // namespace
@@ -48,7 +48,7 @@ Servos::Motor Servos::motor_of(const Servo& servo, double age) const {
   if (mode == ControlMode::position)
     return {qd + (kp_ * (within(of(targets_.q) + age * qd) - q) + effort) / gain_, gain_};
 
-  // A joint that is driven on at its limit has no other stop.
+  // A joint driven against its limit is held there by the position servo.
   const bool by_velocity = mode == ControlMode::velocity;
   const double drive = by_velocity ? qd : effort;
   if (drive > 0.0 ? q >= servo.limits.upper : q <= servo.limits.lower)

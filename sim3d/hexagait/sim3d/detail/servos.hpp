@@ -14,39 +14,39 @@ namespace hexagait::sim3d::detail {
 ///
 ///     q̇₊ + CFM · τ = v,   |τ| ≤ FMax
 ///
-/// so with CFM = 1/(Kd + h Kp) and v = q̇* + (Kp (q* − q) + τ*)/(Kd + h Kp) it is a spring-damper
-/// that looks one step ahead, which makes it stable for any Kp and Kd:
+/// With CFM = 1/(Kd + h Kp) and v = q̇* + (Kp (q* − q) + τ*)/(Kd + h Kp) it is an implicit
+/// spring-damper, which is stable for any Kp and Kd:
 ///
 ///     τ = (Kd + h Kp)(v − q̇₊) = Kp (q* + h q̇* − q − h q̇₊) + Kd (q̇* − q̇₊) + τ*
 ///
-/// with q*, q̇*, τ* the targets, q the state before and q₊ = q + h q̇₊, q̇₊ the one after the step.
-/// By velocity CFM = 1/Kv and v = q̇* + τ*/Kv; by effort CFM = 1/D and v = τ*/D, D the friction of
-/// the drive: what is left of the row is τ = τ* − D q̇₊.
+/// with q*, q̇*, τ* the targets, q the position before and q₊ = q + h q̇₊, q̇₊ the state after the
+/// step. In velocity mode CFM = 1/Kv and v = q̇* + τ*/Kv. In effort mode CFM = 1/D and v = τ*/D,
+/// with D the friction of the drive, which gives τ = τ* − D q̇₊.
 class Servos {
  public:
   /// Servos that hold q.
   Servos(const WorldParams& params, const LegArray<LegJoints>& q);
 
-  /// Takes charge of a hinge that reads zero where the joint does.
+  /// Adds the servo of a hinge with the same zero as the joint.
   void add(dJointID hinge, LegId leg, Eigen::Index joint, const JointLimits& limits);
 
-  /// From now on the targets are these, and they move at `targets.qd`.
+  /// Sets the targets; positions advance at `targets.qd`.
   void set_targets(const JointTargets& targets) { targets_ = targets; }
 
   /// Commands the motors for one physics step, `age` [s] after the targets were set.
   void command(double age);
 
-  /// Tells the solver to watch the effort limits of all servos whose last effort was at least this
-  /// fraction of their limit, and of no others.
+  /// Makes the solver enforce the effort limits of exactly those servos whose last effort was at
+  /// least this fraction of their limit.
   void bound(double fraction);
 
-  /// After a step: what each servo did.
+  /// Reads the effort of each servo after a step.
   void read_efforts();
 
-  /// Did a servo that the solver did not watch exceed its limit (or fail to be a number)?
+  /// Did a servo whose limit was not enforced exceed it, or is an effort not a number?
   [[nodiscard]] bool some_effort_too_large() const;
 
-  /// After a step: joint positions from the hinges, counted on past ±π.
+  /// Reads the joint positions after a step; they are continuous past ±π.
   void read_positions();
 
   [[nodiscard]] const LegArray<LegJoints>& q() const { return q_; }              ///< [rad]
@@ -58,9 +58,9 @@ class Servos {
     LegId leg = 0;
     Eigen::Index joint = 0;
     JointLimits limits;
-    double v = 0.0;        // what the motor is commanded to do [rad/s]
+    double v = 0.0;        // commanded motor speed [rad/s]
     double gain = 0.0;     // 1/CFM [N m s/rad]
-    bool bounded = false;  // does the solver watch the limit?
+    bool bounded = false;  // does the solver enforce the limit?
   };
 
   struct Motor {

@@ -9,19 +9,19 @@
 
 namespace hexagait::verify {
 
-/// Where successor after successor leads. Every situation has one, and there are finitely many, so
-/// each walk ends in a cycle.
+/// Follows successors until they repeat. There are finitely many situations, each with one
+/// successor, so every walk ends in a cycle.
 ///
-/// @param start  where to start
-/// @param memo  of earlier walks: an integer per key, 0 where none came past
-/// @param key  situation → its key in the memo, one to one
-/// @param next  situation → its successor
+/// @param start     first situation
+/// @param memo      results of earlier walks: an integer per key, 0 for situations not visited yet
+/// @param key       situation → its key in the memo, one to one
+/// @param next      situation → its successor
 /// @param on_cycle  called with each cycle that no earlier walk has found, in order
-/// @returns how many successors from `start` until the first situation of the cycle
+/// @returns number of steps from `start` to the first situation of the cycle
 template <class Situation, class Memo, class Key, class Next, class OnCycle>
 int settle(const Situation& start, Memo& memo, const Key& key, const Next& next,
            const OnCycle& on_cycle) {
-  // In the memo: −1 on this very walk, k + 1 for k successors until the cycle.
+  // In the memo: −1 on the present walk; k + 1 if the cycle is k steps away.
   std::vector<std::pair<decltype(key(start)), Situation>> walk;
   Situation here = start;
   auto here_key = key(here);

@@ -10,7 +10,7 @@ using namespace gait_state;
 
 namespace {
 
-constexpr double kSpacing = 0.01;   // of made lags [m]
+constexpr double kSpacing = 0.01;   // of constructed lags [m]
 constexpr double kInFront = -0.01;  // lag of a foot that lands from a step [m]
 
 std::int8_t& air_of(Situation& situation, LegId leg) {
@@ -20,9 +20,9 @@ int air_of(const Situation& situation, LegId leg) {
   return situation.air[static_cast<std::size_t>(leg)];
 }
 
-/// Of neighbours in the air, a before b: is the raw relation `a < b`? It is from when the first of
-/// them lifted. If that one is in a step then b came later by a slip; if a slipped leg is the first
-/// to land, then the other was the first to lift, and landing must change nothing.
+/// The raw relation of neighbours a, b that are both in the air: is it `a < b`? It dates from when
+/// the first of them lifted. If that leg is in a step, the other one slipped later; if a slipped
+/// leg is the first to land, the other one lifted first, and the landing must not change anything.
 bool second_goes_first(const Situation& situation, LegId a, LegId b) {
   const bool a_lands_first = air_of(situation, a) <= air_of(situation, b);
   const bool first_slipped = situation.slipped.contains(a_lands_first ? a : b);
@@ -117,7 +117,7 @@ Slice Slices::advance(const Situation& situation, const Choose& choose) const {
   Slice slice{.next = situation, .lifted = {}, .expected = {}};
   GaitInput input{lags_[situation.state.bits], {}, {}};
 
-  // Landings: in front from a step, where it was after a slip.
+  // Landings: at the front after a step, unchanged after a slip.
   LegSet landed;
   for (LegId leg = 0; leg < n_; ++leg) {
     std::int8_t& left = air_of(slice.next, leg);

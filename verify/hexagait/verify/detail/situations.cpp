@@ -26,7 +26,8 @@ Situations::Situations(std::vector<GaitState> states, int step_time, Scene scene
   }
 }
 
-// A digit per leg: on the ground, T times in the air, and for a priority leg T times after a slip.
+// Values of a leg's digit: on the ground, T air times in a step, and for a priority leg T after a
+// slip.
 std::size_t Situations::radix(bool is_priority) const {
   const auto t = static_cast<std::size_t>(step_time_);
   if (scene_ == Scene::reachable) return is_priority ? t + 1 : 1;

@@ -7,29 +7,29 @@
 
 namespace hexagait::verify {
 
-/// Which legs may be in the air at the start.
+/// Which legs may be in the air in a start situation.
 enum class Scene {
-  all,        ///< any, neighbours too; those that are not `<a>` have slipped
-  reachable,  ///< priority legs, in a step: what a controller can get into
+  all,        ///< any legs, including neighbours; those that are not `<a>` have slipped
+  reachable,  ///< priority legs, in a step: what a controller can reach
 };
 [[nodiscard]] const char* to_string(Scene scene);
 
-/// The situations that some states can be in, with step times of T, and those that follow from
-/// them: a leg that slipped may be `<a>` by the time it lands. Numbered without gaps.
+/// All situations of a set of states with step time T, and those that follow from them (a leg that
+/// slipped may be `<a>` by the time it lands). Numbered without gaps.
 class Situations {
  public:
   /// @param states  of the same number of legs, not cyclic
   Situations(std::vector<GaitState> states, int step_time, Scene scene);
 
-  /// How many there are.
+  /// Number of situations.
   [[nodiscard]] std::size_t size() const { return size_; }
 
-  /// 0 … size() − 1.
+  /// Number of a situation, 0 … size() − 1.
   /// @param situation  one of these
   [[nodiscard]] std::size_t key(const Situation& situation) const;
 
-  /// Those to start from: every state with every set of remaining air times 0 … T. A leg in the air
-  /// is in a step if it is `<a>`, else it has slipped.
+  /// Visits all start situations: every state with every combination of remaining air times 0 … T.
+  /// A leg in the air is in a step if it is `<a>`; otherwise it has slipped.
   template <class Visit>
   void for_each_start(const Visit& visit) const {
     for (const GaitState& state : states_) {
@@ -47,7 +47,7 @@ class Situations {
   bool count_up(Situation& situation, LegSet digits) const;
   [[nodiscard]] std::size_t radix(bool is_priority) const;
 
-  /// The keys of a state: its first, and what a slice in the air adds, leg by leg.
+  /// Mixed-radix numbers of a state's situations: the first, and the weight of each leg's air time.
   struct Keys {
     std::size_t first = 0;
     std::array<std::size_t, kMaxLegs> weight{};
@@ -58,7 +58,7 @@ class Situations {
   int step_time_;
   Scene scene_;
   std::size_t size_ = 0;
-  std::vector<Keys> keys_;  // by the state's bits
+  std::vector<Keys> keys_;  // indexed by the state's bits
 };
 
 }  // namespace hexagait::verify

@@ -39,7 +39,7 @@ LegSet SliceWalk::advance() {
     legs_.air[static_cast<std::size_t>(leg)] = static_cast<std::int8_t>(step_time_);
   }
 
-  // The control loop, which is faster than a slice, sees the lifts.
+  // The control loop is faster than a slice and sees the lifts.
   const LegSet air = input.airborne = airborne(legs_);
   legs_.state = rules_.update(latch_, input, params_).state;
 

@@ -7,15 +7,15 @@
 namespace hexagait::verify {
 
 /// The slice model of [PC04] 5.1 on flat ground, in its units: a step puts the foot 25 ahead of its
-/// workspace centre, and per slice the body goes on until the feet, those in the air included, are
-/// on average at their centres. Here lags are not made but come about.
+/// workspace centre, and in each slice the body advances until the feet, including those in the
+/// air, are on average at their centres. Lags follow from the walk instead of being constructed.
 class SliceWalk {
  public:
-  /// Feet in the order that the state asks for, 2 units apart, about their centres; those in the
-  /// air ahead.
+  /// Starts with the feet in the order of the state, 2 units apart, around their centres; those in
+  /// the air are ahead.
   SliceWalk(const Rules& rules, const Situation& start, int step_time, Adjustment adjustment);
 
-  /// Landings, a decision, lifts; then the body moves.
+  /// One slice: landings, decision, lifts; then the body moves.
   /// @returns the legs that lifted
   LegSet advance();
 
@@ -27,7 +27,7 @@ class SliceWalk {
   int step_time_;
   gait_state::GaitParams params_;
   Situation legs_;
-  LegArray<double> foot_;  // ahead of its centre
+  LegArray<double> foot_;  // position ahead of the centre
   gait_state::GaitLatch latch_;
   double travelled_ = 0.0;
 };

@@ -4,7 +4,7 @@
 
 #include <hexagait/verify/verify.hpp>
 
-/// One function per theorem: it tries every case and tells the first that contradicts.
+/// One function per theorem: it checks every case and reports the first counterexample.
 namespace hexagait::verify {
 
 /// The 62 states of six legs by CCN and type: one class up to rotation in each cell ([PC04] Table
@@ -14,33 +14,33 @@ namespace hexagait::verify {
 /// (gait 2) ends at n/2 from every state and keeps every `< >` pair.
 [[nodiscard]] Theorem adjustment(const Rules& rules, const Scope& scope);
 
-/// Whatever was stored, adjusted, raw or urgent, the update ends in a balanced state in which a leg
-/// may step.
+/// From any stored, raw and urgent inputs the update ends in a balanced state in which a leg may
+/// step.
 [[nodiscard]] Theorem no_lock(const Rules& rules, const Scope& scope);
 
-/// Nobody lifts beside a leg in the air, whatever came before.
+/// No leg ever lifts beside a leg in the air.
 [[nodiscard]] Theorem rule_1(const Rules& rules, const Scope& scope);
 
 /// From CCN = n/2 the tripod gait appears from every situation, in less than n/2 step times.
 [[nodiscard]] Theorem convergence(const Rules& rules, const Scope& scope, const Progress& progress);
 
-/// With the latch it appears from every other CCN too.
+/// With the latch, the tripod gait appears from every other CCN too.
 [[nodiscard]] Theorem latched_convergence(const Rules& rules, const Scope& scope);
 
-/// Without adjustment min(CCN, n − CCN) legs are in the air on average, and the tripod gait never
-/// appears unless CCN = n/2.
+/// Without adjustment, min(CCN, n − CCN) legs are in the air on average, and the tripod gait
+/// appears only if CCN = n/2.
 [[nodiscard]] Theorem throughput(const Rules& rules, const Scope& scope);
 
-/// The speed that goes with it, in the slice model of [PC04] 5.1.
+/// The resulting speed in the slice model of [PC04] 5.1.
 [[nodiscard]] Theorem speed(const Rules& rules, const Scope& scope);
 
-/// The paper to the letter walks as if there were no adjustment.
+/// The paper taken literally walks as if there were no adjustment.
 [[nodiscard]] Theorem literal_reading(const Rules& rules, const Scope& scope);
 
 /// The rear-leg rule (gait 5) has one attractor, the exact wave gait.
 [[nodiscard]] Theorem wave_gaits(const Rules& rules, const Scope& scope);
 
-/// Its duty factor may change at any slice.
+/// The same if the duty factor changes at any slice.
 [[nodiscard]] Theorem duty_factor_changes(const Rules& rules, const Scope& scope);
 
 }  // namespace hexagait::verify

@@ -7,11 +7,11 @@
 
 namespace hexagait::verify {
 
-/// A situation, and what the rear-leg rule (gait 5) remembers.
+/// A situation and the state of the rear-leg rule (gait 5).
 struct WaveSituation {
   Situation legs;
-  /// Slices since the leg before the rear edge lifted, and the one after it; no more than the
-  /// longest period, after which a leg waits no longer.
+  /// Slices since the lifts of the legs before and after the rear edge, at most the longest period,
+  /// after which a leg no longer waits.
   std::array<int, 2> since{};
 
   friend bool operator==(const WaveSituation&, const WaveSituation&) = default;
@@ -22,7 +22,7 @@ struct WaveSlice {
   WaveSituation next;
 };
 
-/// Slices with the stepper of `rules` between the update and the lifts.
+/// Slices in which the stepper of `rules` decides the lifts.
 class WaveSlices {
  public:
   /// @param rear_edge  ring edge between the rear legs
@@ -32,7 +32,7 @@ class WaveSlices {
   /// @param half_period  the duty factor is 1 − T / (2 half_period) [slices]
   [[nodiscard]] WaveSlice advance(const WaveSituation& situation, int half_period) const;
 
-  /// Neither rear leg has ever lifted.
+  /// The situation in which neither rear leg has lifted yet.
   [[nodiscard]] WaveSituation fresh(const Situation& legs) const;
 
   /// One to one, for situations of `legs`.
@@ -44,8 +44,8 @@ class WaveSlices {
   int n_, rear_edge_, longest_period_;
 };
 
-/// The exact wave gait, as a property of a cycle: from the rear edge forwards a leg lifts T after
-/// the one behind it, on each side, and one side half a period after the other.
+/// Is a cycle the exact wave gait: on each side, from the rear forwards, a leg lifts T after the
+/// one behind it, and one side lifts half a period after the other?
 [[nodiscard]] bool is_wave(std::span<const LegSet> lifted, int n, int step_time, int rear_edge);
 
 }  // namespace hexagait::verify

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <hexagait/experiments/experiment.hpp>
+#include <hexagait/recording/recording.hpp>
+#include <hexagait/recording/simulation.hpp>
+#include <string>
+#include <vector>
+
+namespace hexagait::experiments {
+
+/// A walk that was simulated, and what of it is drawn.
+struct RecordedWalk {
+  recording::Recording recording;
+  walk::Summary summary;
+};
+
+/// Simulates the context's robot, and tells its progress by the walk's time.
+[[nodiscard]] RecordedWalk record(const ExperimentContext& context,
+                                  const recording::Simulation& simulation);
+
+/// Draws a walk from above, the robot itself at some instants, A, B, C …: its body, its legs, where
+/// its feet stood; below it the ground, if that is rough. The figure's size follows from the ground
+/// that is seen. Writes it, and what it was made of: stem.gp, stem-body.csv, stem-steps.csv,
+/// stem-outlines.csv, stem-legs.csv, stem-snapshots.csv, and stem-terrain.csv.
+/// @param times  of the instants [s]
+void draw_snapshots(figures::StagedFiles& files, figures::Figure figure,
+                    const std::vector<double>& times, const sim3d::Terrain& terrain,
+                    const recording::Recording& recording, const RobotModel& robot);
+
+}  // namespace hexagait::experiments
