@@ -6,15 +6,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <hexagait/recording/detail/walk_json.hpp>
 #include <hexagait/recording/version.hpp>
-#include <nlohmann/json.hpp>
 
 #include "words.hpp"
 
 namespace hexagait::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using recording::finite;
+using recording::Json;
 
 constexpr int kShownOfAKind = 3;  // what is wrong first makes more of the same
 
@@ -82,14 +83,6 @@ std::string ending(const ActionReport& report) {
   return s.result.outcome == Outcome::succeeded ? "Succeeded: " : "Stopped: ";
 }
 
-double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
-
-void add(std::string& text, const char* label, const std::string& value) {
-  text += fmt::format("  {:<12}{}\n", label, value);
-}
-
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 const char* kind(Finding::Kind kind) {
   switch (kind) {
     case Finding::Kind::out_of_reach:
@@ -120,7 +113,8 @@ Json findings_json(const Preview& ahead) {
 
 Json subject(const ActionReport& report) {
   const ActionInput& input = *report.input;
-  return {{"action", input.action.id},
+  return {{"schema", recording::kJsonSchema},
+          {"action", input.action.id},
           {"file", input.file},
           {"robot", input.robot.name},
           {"steps", input.action.steps.size()}};
@@ -185,7 +179,7 @@ std::string run_headline(const ActionReport& report) {
   const walk::ActionSummary& s = report.summary;
   const bool whole = s.result.outcome == Outcome::succeeded;
   return ending(report) + fmt::format("{} {}, {} in {:.1f} s; {}.", name(report),
-                                      ground(report.input->terrain),
+                                      ground(sim3d::to_string(report.input->terrain)),
                                       whole ? steps(report) : fmt::format("of {}", steps(report)),
                                       s.seconds, margin(s.margin_min, s.margin_step));
 }
@@ -237,12 +231,12 @@ std::string run_json(const ActionReport& report) {
   json["off_plan"] = {{"height_m", s.off_plan_height},
                       {"sideways_m", s.off_plan_sideways},
                       {"tilt_rad", s.off_plan_tilt}};
-  json["foot_force_max_N"] = s.foot_force_max;
+  json["foot_force_max_n"] = s.foot_force_max;
   json["fault"] = to_string(s.fault);
   json["out_of_time"] = s.out_of_time;
   json["interrupted"] = report.interrupted;
   json["check"] = ahead_json(report.ahead);
-  json["state_hash"] = fmt::format("{:016x}", s.state_hash);
+  json["state_hash"] = recording::hex(s.state_hash);
   json["version"] = recording::kVersion;
   return json.dump(2);
 }

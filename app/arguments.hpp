@@ -20,7 +20,7 @@ struct WalkArguments {
   std::string random_posture, physics_step, control_period;
   bool no_contacts = false, no_joint_feedback = false;
   bool json = false, quiet = false;
-  std::string plot, trace;
+  std::string plot, trace, movie;
 };
 
 /// What was typed, as a simulation.

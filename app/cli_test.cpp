@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "cli_fixture.hpp"
@@ -55,7 +56,7 @@ TEST_F(Cli, PrintsOneJsonObjectWithEveryResult) {
                           "neighbour_flight_s",
                           "leg_touch_s",
                           "contact_losses",
-                          "falls",
+                          "fell",
                           "stuck",
                           "arrived",
                           "fault",
@@ -66,7 +67,7 @@ TEST_F(Cli, PrintsOneJsonObjectWithEveryResult) {
   EXPECT_NEAR(json["curvature_per_m"].get<double>(), 1.0 / 3.0, 1e-12);
   EXPECT_NEAR(json["seconds"].get<double>(), 2.0, 1e-9);
   EXPECT_EQ(json["state_hash"].get<std::string>().size(), 16U);
-  EXPECT_EQ(json["falls"], 0);
+  EXPECT_EQ(json["fell"], false);
   EXPECT_EQ(json["fault"], "none");
 }
 
@@ -142,6 +143,34 @@ TEST_F(Cli, DrawsAFigureAndKeepsWhatItIsMadeOf) {
        {"it's.svg", "it's.gp", "it's-body.csv", "it's-steps.csv", "it's-gait.csv"})
     EXPECT_GT(fs::file_size(here() / name), 50U) << name;
   EXPECT_THAT(content(here() / "it's.svg"), HasSubstr("Path from above"));
+}
+
+// The figure's table of the body would be the trace.
+TEST_F(Cli, RefusesOutputsThatWouldOverwriteEachOther) {
+  refuses("walk --seconds 2 --plot w.png --trace w-body.csv", {"--plot", "--trace", "w-body.csv"});
+  refuses("walk --seconds 2 --plot w-movie.png --movie w.gif", {"--plot", "--movie", "w-movie.gp"});
+  EXPECT_TRUE(fs::is_empty(here()));
+}
+
+TEST_F(Cli, NamesEveryFileThatItWrites) {
+  const Result result = run("walk --robot genghis2d --seconds 2 --plot w.svg --trace t.csv --json");
+  std::set<std::string> named, written;
+  for (const auto& file : nlohmann::json::parse(result.out)["files"]) named.insert(file);
+  for (const auto& entry : fs::directory_iterator(here())) written.insert(entry.path().filename());
+  EXPECT_EQ(named, written);
+  EXPECT_THAT(run("walk --robot genghis2d --seconds 2 --plot w.svg").out, HasSubstr("w-body.csv"));
+}
+
+// As a GIF begins, and a frame each 80 ms.
+TEST_F(Cli, MakesAMovingPicture) {
+  EXPECT_EQ(run("walk --robot genghis2d --seconds 2 --movie w.gif").status, 0);
+  const std::string gif = content(here() / "w.gif");
+  EXPECT_TRUE(gif.starts_with("GIF89a"));
+  const std::string frame = {'\x21', '\xf9', '\x04'};  // the header of a frame's control block
+  int frames = 0;
+  for (std::size_t at = 0; (at = gif.find(frame, at)) != std::string::npos; ++at) ++frames;
+  EXPECT_NEAR(frames, 25, 1);
+  EXPECT_LT(gif.size(), 2'000'000U);
 }
 
 // The claims of figure 7-A hold, but for one that fails as it was declared to: that fails no run.

@@ -20,9 +20,6 @@ inline constexpr int kInterrupted = 130;  ///< by Ctrl-C
 /// `hexagait walk`. @throws InvalidInput
 int walk_command(const WalkArguments& arguments);
 
-/// The same for the side view of Genghis. @throws InvalidInput
-int genghis_command(const WalkArguments& arguments);
-
 /// `hexagait check`: 0 if nothing is wrong. @throws InvalidInput
 int check_command(const ActionArguments& arguments);
 

@@ -34,7 +34,11 @@ class Figure {
   void draw(const ActionReport& report, const std::string& headline, const std::string& subtitle) {
     if (!file_ || recording_.samples().empty()) return;
     write_output(option_, *file_, [&] {
-      draw_action(file_->files, {file_->path.stem(), file_->path.extension(), headline, subtitle},
+      draw_action(file_->files,
+                  {.stem = file_->path.stem(),
+                   .suffix = file_->path.extension(),
+                   .headline = headline,
+                   .subtitle = subtitle},
                   recording_, report.input->robot);
       file_->files.publish();
     });

@@ -1,9 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <hexagait/figures/gnuplot.hpp>
+#include <hexagait/recording/movie.hpp>
 #include <hexagait/recording/trace.hpp>
 #include <hexagait/recording/walk_figure.hpp>
+#include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <map>
 
 #include "commands.hpp"
 #include "interrupt.hpp"
@@ -15,26 +22,34 @@
 namespace hexagait::app {
 namespace {
 
+using recording::Recording;
 using recording::WalkReport;
 
 // What is written of a walk beside its summary.
 class Writer {
  public:
-  Writer(const WalkArguments& arguments, const WalkReport& report, const RobotModel& robot)
+  Writer(const WalkArguments& arguments, const RobotModel& robot, Recording recording)
       : robot_(robot),
         plot_(output_file("--plot", arguments.plot, {".png", ".svg", ".pdf"})),
+        movie_(output_file("--movie", arguments.movie, {".gif"})),
         trace_(output_file("--trace", arguments.trace, {".csv"})),
-        recording_({report.simulation.terrain, report.simulation.seed}) {
-    if (plot_) figures::require_gnuplot();
+        recording_(std::move(recording)) {
+    if (plot_) add("--plot", *plot_, recording::walk_figure_files(plot_->path.stem()));
+    if (movie_) add("--movie", *movie_, recording::movie_files(movie_->path.stem()));
+    if (trace_) add("--trace", *trace_, {});
+    if (plot_ || movie_) figures::require_gnuplot();
     if (!trace_) return;
     rows_ = trace_->files.open(trace_->path.filename());
     problem_ = write_problem([&] { recording::write_trace_header(rows_, robot); });
   }
 
+  // All files that there will be.
+  [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
+
   // What can't be written is told in the end: the walk goes on, and its summary is shown.
   void observe(const footstep_gen::TickRecord& record, const GroundTruth& truth,
                const walk::Referee& referee) {
-    if (plot_) recording_.observe(record, truth, referee);
+    if (plot_ || movie_) recording_.observe(record, truth, referee);
     if (trace_ && problem_.empty())
       problem_ = write_problem([&] { recording::write_trace_row(rows_, record, truth, referee); });
   }
@@ -44,9 +59,17 @@ class Writer {
     if (plot_)
       write_output("--plot", *plot_, [&] {
         draw_walk(plot_->files,
-                  {plot_->path.stem(), plot_->path.extension(), headline(report), subtitle(report)},
+                  {.stem = plot_->path.stem(),
+                   .suffix = plot_->path.extension(),
+                   .headline = headline(report),
+                   .subtitle = subtitle(report)},
                   recording_, robot_);
         plot_->files.publish();
+      });
+    if (movie_)
+      write_output("--movie", *movie_, [&] {
+        draw_movie(movie_->files, movie_->path.stem(), recording_, robot_);
+        movie_->files.publish();
       });
     if (!trace_) return;
     if (!problem_.empty()) refuse_output("--trace", *trace_, problem_);
@@ -57,36 +80,69 @@ class Writer {
   }
 
  private:
+  // An output and the files beside it; none may be that of another option.
+  void add(const char* option, const OutputFile& file, std::vector<std::string> names) {
+    names.insert(names.begin(), file.path.filename());
+    for (const std::string& name : names) {
+      const auto path = file.path.parent_path() / name;
+      const auto [other, is_new] =
+          option_of_.emplace(std::filesystem::weakly_canonical(path), option);
+      if (!is_new)
+        throw InvalidInput(
+            fmt::format("{} and {} would both write '{}'; name one of them otherwise",
+                        other->second, option, path.string()));
+      files_.push_back(path);
+    }
+  }
+
   const RobotModel& robot_;
-  std::optional<OutputFile> plot_, trace_;
-  recording::Recording recording_;
+  std::optional<OutputFile> plot_, movie_, trace_;
+  std::map<std::filesystem::path, const char*> option_of_;
+  std::vector<std::string> files_;
+  Recording recording_;
   std::ofstream rows_;
   std::string problem_;  // why the trace could not be written any further
 };
 
+std::string in_print(const WalkArguments& arguments, const WalkReport& report,
+                     const Writer& writer) {
+  if (arguments.json) return to_json(report, writer.files()) + "\n";
+  std::string text = in_words(report);
+  if (!writer.files().empty())
+    add(text, "files", fmt::format("{}", fmt::join(writer.files(), ", ")));
+  return text;
+}
+
 }  // namespace
 
 int walk_command(const WalkArguments& arguments) {
-  if (arguments.robot == kGenghis) return genghis_command(arguments);
-  const RobotModel robot = load_urdf(robot_file(arguments.robot));
-  WalkReport report;
+  std::optional<sim2d::GenghisTrial> genghis;
+  if (arguments.robot == kGenghis) genghis = genghis_trial(arguments);
+  const RobotModel robot =
+      genghis ? robot_in_space(sim2d::GenghisModel{}) : load_urdf(robot_file(arguments.robot));
+  WalkReport report = genghis ? recording::report_of(*genghis) : WalkReport{};
   report.robot = robot.name;
-  report.simulation = simulation(arguments, robot);
-  Writer writer(arguments, report, robot);
+  if (!genghis) report.simulation = simulation(arguments, robot);
+  const recording::Simulation& walk = report.simulation;
+  Writer writer(arguments, robot,
+                genghis ? Recording(sim2d::Terrain2d(genghis->terrain, genghis->seed))
+                        : Recording(sim3d::Terrain(walk.terrain, walk.seed)));
 
   const std::atomic<bool>& interrupted = watch_interrupts();
   {
-    Progress progress(report.simulation.trial.seconds, Progress::Measure::simulated_seconds,
-                      arguments.quiet);
+    Progress progress(walk.trial.seconds, Progress::Measure::simulated_seconds, arguments.quiet);
     const auto observe = [&](const footstep_gen::TickRecord& record, const GroundTruth& truth,
                              const walk::Referee& referee) {
       progress.at(record.state.time);
       writer.observe(record, truth, referee);
     };
-    report.summary = simulate(robot, report.simulation, observe, &interrupted);
+    if (genghis)
+      take(report, recording::simulate(*genghis, observe, &interrupted));
+    else
+      report.summary = simulate(robot, walk, observe, &interrupted);
   }
   report.interrupted = interrupted;
-  print_out(arguments.json ? to_json(report) + "\n" : in_words(report));
+  print_out(in_print(arguments, report, writer));
   writer.finish(report);
   if (report.interrupted) return kInterrupted;
   return report.summary.ok() && arrived(report) ? kOk : kFailed;

@@ -85,6 +85,8 @@ void add_output(CLI::App& walk, WalkArguments& a) {
   walk.add_flag("--json", a.json, "Print one JSON object");
   walk.add_flag("--quiet", a.quiet, "No progress on stderr");
   walk.add_option("--plot", a.plot, "Draw the walk: .png, .svg or .pdf")->type_name("FILE");
+  walk.add_option("--movie", a.movie, "Draw the last 8 s from the side and from above: .gif")
+      ->type_name("FILE");
   walk.add_option("--trace", a.trace, "Write a row per control tick: .csv")->type_name("FILE");
 }
 

@@ -16,8 +16,6 @@ using recording::Simulation;
 using recording::WalkReport;
 using walk::Summary;
 
-double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
-
 std::string line(const Heading& heading) {
   const double crab = degrees(heading.crab_angle());
   const std::string crabbing =
@@ -45,7 +43,7 @@ std::string ending(const WalkReport& report) {
   const std::string so_far = fmt::format("after {:.1f} s it had ", s.seconds);
   if (report.interrupted) return "Interrupted: " + so_far;
   if (s.fell) return "Fell: " + so_far;
-  if (s.stuck) return "Stuck, no progress for 10 s: " + so_far;
+  if (s.stuck) return "Stuck, no more progress: " + so_far;
   if (s.fault != footstep_gen::Fault::none)
     return fmt::format("Stopped by a fault ({}): {}", footstep_gen::to_string(s.fault), so_far);
   if (!arrived(report))
@@ -59,10 +57,6 @@ std::string gait(const Summary& s) {
                                     : fmt::format("tripod gait after {}", *s.tripod_after_steps);
 }
 
-void add(std::string& text, const char* label, const std::string& value) {
-  text += fmt::format("  {:<12}{}\n", label, value);
-}
-
 // Lengths of coxa, femur and tibia, if these are what it has.
 std::string links_in_words(const LegModel& leg) {
   if (leg.kind == LegKind::serial) return fmt::format("{} joints, serial", leg.num_joints());
@@ -70,6 +64,10 @@ std::string links_in_words(const LegModel& leg) {
 }
 
 }  // namespace
+
+void add(std::string& text, const char* label, const std::string& value) {
+  text += fmt::format("  {:<12}{}\n", label, value);
+}
 
 // Three digits are enough for a person. The stability margin with
 // no foot on the ground is −∞.
@@ -81,20 +79,20 @@ std::string length(double metres) {
   return fmt::format("{:.2f} m", metres);
 }
 
-std::string ground(const sim3d::TerrainSpec& terrain) {
-  return terrain.kind == sim3d::TerrainSpec::Kind::flat ? "on flat ground"
-                                                        : "over " + sim3d::to_string(terrain);
+std::string ground(const std::string& terrain) {
+  return terrain == "flat" ? "on flat ground" : "over " + terrain;
 }
 
 std::string headline(const WalkReport& report) {
   const Summary& s = report.summary;
   std::string sentence = ending(report);
   const bool whole = sentence.empty();
-  sentence += walked(report.simulation, s) + " " + ground(report.simulation.terrain);
+  sentence += walked(report.simulation, s) + " " + ground(terrain_of(report));
   if (whole) {
     sentence.front() = static_cast<char>(std::toupper(sentence.front()));
     sentence += fmt::format(" in {:.3g} s", s.seconds);
   }
+  if (report.side_view) return sentence + ".";
   return sentence +
          fmt::format("; never more than {} off the commanded path.", length(s.lateral_max));
 }
@@ -105,6 +103,13 @@ bool arrived(const WalkReport& report) {
 
 std::string subtitle(const WalkReport& report) {
   const Summary& s = report.summary;
+  if (report.side_view)
+    return fmt::format(
+        "{}, a plane robot in Box2D, seed {} · {:.3f} m/s · {} steps · slip {} per stance · pitch "
+        "up "
+        "to {:.0f}°",
+        report.robot, report.simulation.seed, s.speed, s.steps, length(s.slip_mean),
+        degrees(s.pitch_max));
   return fmt::format(
       "{}, seed {} · {:.3f} m/s · mean distance from the path {} · {} steps · slip {} per stance · "
       "stability margin ≥ {}",
@@ -118,15 +123,17 @@ std::string in_words(const WalkReport& report) {
   add(text, "path",
       fmt::format("{:.2f} m at {:.3f} m/s; turned {:.1f}°", s.distance, s.speed,
                   degrees(s.turned)));
-  add(text, "off path",
-      fmt::format("mean {}, max {}, at the end {}", length(s.lateral_mean), length(s.lateral_max),
-                  length(s.lateral_end)));
-  add(text, "off heading",
-      fmt::format("max {:.1f}°, at the end {:.1f}°", degrees(s.heading_max),
-                  degrees(s.heading_end)));
-  add(text, "odometry",
-      fmt::format("{} and {:.1f}° from the truth at the end", length(s.odometry_position),
-                  std::abs(degrees(s.odometry_heading))));
+  if (!report.side_view) {
+    add(text, "off path",
+        fmt::format("mean {}, max {}, at the end {}", length(s.lateral_mean), length(s.lateral_max),
+                    length(s.lateral_end)));
+    add(text, "off heading",
+        fmt::format("max {:.1f}°, at the end {:.1f}°", degrees(s.heading_max),
+                    degrees(s.heading_end)));
+    add(text, "odometry",
+        fmt::format("{} and {:.1f}° from the truth at the end", length(s.odometry_position),
+                    std::abs(degrees(s.odometry_heading))));
+  }
   add(text, "gait", gait_state::to_string(report.simulation.gait));
   add(text, "steps", fmt::format("{}; {}", s.steps, gait(s)));
   add(text, "rule 1",
@@ -140,13 +147,20 @@ std::string in_words(const WalkReport& report) {
   add(text, "body",
       fmt::format("height {:.3f} … {:.3f} m, roll up to {:.1f}°, pitch up to {:.1f}°", s.height_min,
                   s.height_max, degrees(s.roll_max), degrees(s.pitch_max)));
+  if (report.side_view)
+    add(text, "reflexes",
+        fmt::format("advance blocked {} times; no ground within reach {} times; underside on the "
+                    "ground for {:.1f} s",
+                    report.side_view->blocked, report.side_view->searches,
+                    report.side_view->underside_time));
   add(text, "stability",
       fmt::format("margin at least {}, at the 5th percentile {}", length(s.margin_min),
                   length(s.margin_p5)));
-  add(text, "speed",
-      fmt::format("{:.1f} × real time; a tick of the controller takes {:.1f} µs "
-                  "(99 %: {:.1f} µs)",
-                  s.real_time_factor, s.tick_median / 1e3, s.tick_p99 / 1e3));
+  const std::string tick =
+      report.side_view ? ""
+                       : fmt::format("; a tick of the controller takes {:.1f} µs (99 %: {:.1f} µs)",
+                                     s.tick_median / 1e3, s.tick_p99 / 1e3);
+  add(text, "speed", fmt::format("{:.1f} × real time{}", s.real_time_factor, tick));
   return text;
 }
 

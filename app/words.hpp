@@ -3,14 +3,21 @@
 #pragma once
 
 #include <hexagait/recording/json.hpp>
+#include <numbers>
 
 namespace hexagait::app {
 
 /// "5.2 mm", "3.1 cm" or "1.25 m"; "none" for an infinite one.
 [[nodiscard]] std::string length(double metres);
 
+/// [°] of [rad].
+[[nodiscard]] inline double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
+
+/// Adds one of the aligned lines below a sentence.
+void add(std::string& text, const char* label, const std::string& value);
+
 /// "on flat ground", or over what.
-[[nodiscard]] std::string ground(const sim3d::TerrainSpec& terrain);
+[[nodiscard]] std::string ground(const std::string& terrain);
 
 /// A walk for a person: a sentence with the verdict, then a few aligned lines.
 [[nodiscard]] std::string in_words(const recording::WalkReport& report);

@@ -87,14 +87,15 @@ std::string to_json(const Manifest& manifest) {
   for (const Manifest::Output& output : manifest.outputs)
     outputs[output.name] = {{"fnv1a", recording::hex(output.hash)}};
   const Outcome& outcome = manifest.outcome;
-  Json json{{"experiment", manifest.experiment},
+  Json json{{"schema", recording::kJsonSchema},
+            {"experiment", manifest.experiment},
             {"title", manifest.title},
             {"short_form", manifest.short_form},
             {"provenance", recording::json(manifest.provenance)}};
   json["configuration"] =
       outcome.walk ? recording::configuration(*outcome.walk) : settings_json(outcome);
   json["verdicts"] = verdicts_json(outcome.verdicts);
-  if (outcome.walk) json["results"] = recording::results(outcome.walk->summary);
+  if (outcome.walk) json["results"] = recording::results(*outcome.walk);
   json["outputs"] = outputs;
   json["timing"] = outcome.walk ? recording::timing(outcome.walk->summary) : Json::object();
   if (outcome.compute_seconds > 0.0) json["timing"]["compute_s"] = outcome.compute_seconds;

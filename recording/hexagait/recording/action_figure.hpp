@@ -45,7 +45,7 @@ class ActionRecording {
 /// of: stem.gp, stem-base.csv, stem-feet.csv, stem-steps.csv. The caller has registered
 /// stem.suffix.
 /// @throws std::runtime_error  if gnuplot fails
-void draw_action(figures::StagedFiles& files, const figures::Figure& figure,
+void draw_action(figures::StagedFiles& files, figures::Figure figure,
                  const ActionRecording& recording, const RobotModel& robot);
 
 }  // namespace hexagait::recording

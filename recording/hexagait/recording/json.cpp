@@ -16,8 +16,6 @@ using heading_control::Turn;
 
 constexpr int kIndent = 2;
 
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 std::string kind(const Heading& heading) {
   if (!heading.moving()) return "stop";
   if (heading.rho() <= 0.0) return heading.turn() == Turn::ccw ? "spin ccw" : "spin cw";
@@ -31,7 +29,7 @@ Json commands(const walk::Schedule& schedule) {
                     {"heading", kind(command.heading)},
                     {"curvature_per_m", finite(command.heading.curvature())},
                     {"crab_rad", command.heading.crab_angle()},
-                    {"duty_factor", command.duty_factor ? Json(*command.duty_factor) : Json()}});
+                    {"duty_factor", json_of(command.duty_factor)}});
   return list;
 }
 
@@ -65,7 +63,7 @@ Json configuration(const WalkReport& report) {
   const walk::Schedule& schedule = simulation.trial.schedule;
   const Heading& first = schedule.front().heading;
   return {{"robot", report.robot},
-          {"terrain", sim3d::to_string(simulation.terrain)},
+          {"terrain", terrain_of(report)},
           {"seed", simulation.seed},
           {"heading", schedule.size() == 1 ? kind(first) : "schedule"},
           {"curvature_per_m", schedule.size() == 1 ? finite(first.curvature()) : Json(nullptr)},
@@ -91,7 +89,7 @@ Json results(const walk::Summary& s) {
        {{"mean", s.lateral_mean}, {"max", s.lateral_max}, {"end", s.lateral_end}}},
       {"heading_error_rad", {{"max", s.heading_max}, {"end", s.heading_end}}},
       {"odometry_error",
-       {{"position_m", s.odometry_position}, {"heading_rad", s.odometry_heading}}},
+       {{"position_m", finite(s.odometry_position)}, {"heading_rad", finite(s.odometry_heading)}}},
       {"slip_m", {{"mean", finite(s.slip_mean)}, {"p95", finite(s.slip_p95)}}},
       {"stances", s.stances},
       {"stability_margin_m", {{"min", finite(s.margin_min)}, {"p5", finite(s.margin_p5)}}},
@@ -99,16 +97,25 @@ Json results(const walk::Summary& s) {
       {"pitch_rad", {{"max", s.pitch_max}}},
       {"body_height_m", {{"min", s.height_min}, {"max", s.height_max}}},
       {"steps", s.steps},
-      {"tripod_after_steps", s.tripod_after_steps ? Json(*s.tripod_after_steps) : Json(nullptr)},
+      {"tripod_after_steps", json_of(s.tripod_after_steps)},
       {"rule1_violations", s.rule1_violations},
       {"neighbour_flight_s", s.neighbour_flight},
       {"leg_touch_s", s.leg_touch_time},
       {"contact_losses", s.contact_losses},
-      {"falls", s.fell ? 1 : 0},
+      {"fell", s.fell},
       {"stuck", s.stuck},
       {"arrived", s.arrived},
       {"fault", footstep_gen::to_string(s.fault)},
       {"state_hash", hex(s.state_hash)}};
+}
+
+Json results(const WalkReport& report) {
+  Json json = results(report.summary);
+  if (!report.side_view) return json;
+  json["underside_contact_s"] = report.side_view->underside_time;
+  json["blocked_advances"] = report.side_view->blocked;
+  json["foothold_searches"] = report.side_view->searches;
+  return json;
 }
 
 Json timing(const walk::Summary& s) {
@@ -116,11 +123,38 @@ Json timing(const walk::Summary& s) {
           {"tick_ns", {{"median", s.tick_median}, {"p99", s.tick_p99}}}};
 }
 
-std::string to_json(const WalkReport& report) {
-  Json json = configuration(report);
-  json.update(results(report.summary));
+WalkReport report_of(const sim2d::GenghisTrial& trial) {
+  WalkReport report{.robot = "genghis2d", .simulation = {}, .summary = {}};
+  report.simulation.seed = trial.seed;
+  report.simulation.physics_dt = trial.physics_dt;
+  report.simulation.control_dt = trial.control_dt;
+  report.simulation.gait = trial.gait;
+  report.simulation.random_posture = trial.random_posture;
+  const double crab = trial.backward ? std::numbers::pi : 0.0;
+  report.simulation.trial.schedule = {{0.0, Heading::straight(crab)}};
+  report.simulation.trial.seconds = trial.seconds;
+  report.simulation.trial.distance = trial.distance;
+  report.side_view = SideView{.terrain = trial.terrain};
+  return report;
+}
+
+void take(WalkReport& report, const GenghisSummary& summary) {
+  report.summary = summary;
+  report.side_view = summary.side_view;
+}
+
+std::string terrain_of(const WalkReport& report) {
+  return report.side_view ? sim2d::to_string(report.side_view->terrain)
+                          : sim3d::to_string(report.simulation.terrain);
+}
+
+std::string to_json(const WalkReport& report, const std::vector<std::string>& files) {
+  Json json = {{"schema", kJsonSchema}};
+  json.update(configuration(report));
+  json.update(results(report));
   json.update(timing(report.summary));
   json["interrupted"] = report.interrupted;
+  json["files"] = files;
   json["version"] = kVersion;
   return json.dump(kIndent);
 }
@@ -128,7 +162,8 @@ std::string to_json(const WalkReport& report) {
 std::string to_json(const RobotModel& robot) {
   Json legs = Json::array();
   for (const LegModel& leg : robot.legs) legs.push_back(leg_json(leg));
-  return Json{{"name", robot.name},
+  return Json{{"schema", kJsonSchema},
+              {"name", robot.name},
               {"mass_kg", robot.mass},
               {"base_mass_kg", robot.base.mass},
               {"centre_of_mass_m", {robot.p_BM.x(), robot.p_BM.y(), robot.p_BM.z()}},

@@ -220,10 +220,10 @@ class ModelHash {
 
 std::uint64_t model_hash(const sim2d::GenghisModel& model) {
   const auto& [length, height, belly, bevel, foot, leg, max_lift, max_swing, body_mass, leg_mass,
-               hip_x, splay, stance, workspace] = model;
+               hip_x, splay, stance, workspace, hip_y, foot_y] = model;
   ModelHash hash;
   for (const double value : {length, height, belly, bevel, foot, leg, max_lift, max_swing,
-                             body_mass, leg_mass, splay, stance, workspace})
+                             body_mass, leg_mass, splay, stance, workspace, hip_y, foot_y})
     hash.add(value);
   for (const double x : hip_x) hash.add(x);
   return hash.value();

@@ -4,18 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <hexagait/figures/csv.hpp>
 #include <hexagait/recording/recording.hpp>
 #include <ostream>
 
 namespace hexagait::recording {
 namespace {
 
-constexpr double kSampling = 0.02;  // [s]
-
-double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
-
-// No value is an empty field.
-std::string seconds(double time) { return std::isnan(time) ? "" : fmt::format("{:.4f}", time); }
+constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 }  // namespace
 
@@ -23,17 +19,26 @@ void Recording::observe(const footstep_gen::TickRecord& record, const GroundTrut
                         const walk::Referee& referee) {
   if (std::isnan(start_)) start_ = truth.time;
   const double time = truth.time - start_;
-  watch_body(time, truth, referee);
+  if (samples_.empty() || time >= samples_.back().time + kSampling - 1e-9) {
+    const Vector3& p = truth.X_WB.p;
+    const PlanarPose& ideal = referee.ideal();
+    samples_.push_back({.time = time,
+                        .X_WB = truth.X_WB,
+                        .ideal = ideal,
+                        .direction = ideal.angle + record.heading.crab_angle(),
+                        .along = referee.distance(),
+                        .lateral = referee.deviation().lateral,
+                        .ground = height_(p.x(), p.y()),
+                        .p_WF = LegArray<Vector3>(truth.feet.size(), Vector3::Zero()),
+                        .in_contact = {},
+                        .q = record.measurement.q});
+    for (LegId i = 0; i < truth.feet.size(); ++i) {
+      samples_.back().p_WF[i] = truth.feet[i].p_WF;
+      samples_.back().in_contact.set(i, truth.feet[i].in_contact);
+    }
+  }
   watch_steps(time, record, truth);
   if (record.fault == footstep_gen::Fault::none) watch_gait(time, record.gait);
-}
-
-void Recording::watch_body(double time, const GroundTruth& truth, const walk::Referee& referee) {
-  if (!samples_.empty() && time < samples_.back().time + kSampling - 1e-9) return;
-  const Vector3& p = truth.X_WB.p;
-  samples_.push_back({time, truth.X_WB, referee.ideal(), referee.deviation().lateral,
-                      terrain_.height_at(p.x(), p.y()), LegArray<Vector3>(truth.feet.size())});
-  for (LegId i = 0; i < truth.feet.size(); ++i) samples_.back().p_WF[i] = truth.feet[i].p_WF;
 }
 
 void Recording::watch_steps(double time, const footstep_gen::TickRecord& record,
@@ -45,6 +50,7 @@ void Recording::watch_steps(double time, const footstep_gen::TickRecord& record,
       if (step == steps_.rend()) continue;
       step->land = time;
       step->p_WF = truth.feet[i].p_WF;
+      step->along = samples_.back().along + ahead(samples_.back(), step->p_WF);
     }
     if (record.legs[i].lifted) steps_.push_back({.leg = i, .lift = time});
   }
@@ -60,50 +66,49 @@ void Recording::watch_gait(double time, const gait_state::GaitDecision& gait) {
 }
 
 void Recording::write_body(std::ostream& out) const {
-  out << "time_s,x_m,y_m,z_m,roll_deg,pitch_deg,yaw_deg,ideal_x_m,ideal_y_m,ideal_yaw_deg,"
-         "lateral_error_m,ground_m\n";
-  for (const Sample& s : samples_) {
-    const Vector3 rpy = roll_pitch_yaw(s.X_WB.R);
-    out << fmt::format(
-        "{:.4f},{:.5f},{:.5f},{:.5f},{:.4f},{:.4f},{:.4f},{:.5f},{:.5f},{:.4f},{:.5f},{:.4f}\n",
-        s.time, s.X_WB.p.x(), s.X_WB.p.y(), s.X_WB.p.z(), degrees(rpy.x()), degrees(rpy.y()),
-        degrees(rpy.z()), s.ideal.shift.x(), s.ideal.shift.y(), degrees(s.ideal.angle), s.lateral,
-        s.ground);
-  }
+  figures::Csv csv(
+      "time_s,x_m,y_m,z_m,roll_deg,pitch_deg,yaw_deg,ideal_x_m,ideal_y_m,ideal_yaw_deg,along_m,"
+      "lateral_error_m,ground_m");
+  for (const Sample& s : samples_)
+    csv.row(s.time, s.X_WB.p, Vector3(kDegrees * roll_pitch_yaw(s.X_WB.R)), s.ideal.shift,
+            kDegrees * s.ideal.angle, s.along, s.lateral, s.ground);
+  out << csv.text();
 }
 
 void Recording::write_steps(std::ostream& out, const RobotModel& robot) const {
-  const int half = robot.num_legs() / 2;
-  out << "leg,name,row,lift_s,land_s,x_m,y_m,z_m\n";
+  figures::Csv csv("leg,name,row,lift_s,land_s,x_m,y_m,z_m,along_m");
+  const double end = samples_.empty() ? 0.0 : samples_.back().time;
   for (const Step& s : steps_) {
-    // Left legs above right ones, the front ones first; even indices are left legs.
-    const int row = s.leg % 2 == 0 ? s.leg / 2 : half + s.leg / 2;
-    const double end = std::isnan(s.land) && !samples_.empty() ? samples_.back().time : s.land;
-    out << fmt::format("{},{},{},{},{}", s.leg, robot.legs[s.leg].name, row, seconds(s.lift),
-                       seconds(end));
-    out << (std::isnan(s.land)
-                ? std::string(",,,\n")
-                : fmt::format(",{:.5f},{:.5f},{:.5f}\n", s.p_WF.x(), s.p_WF.y(), s.p_WF.z()));
+    const bool landed = !std::isnan(s.land);
+    const Vector3 none = Vector3::Constant(s.land);
+    csv.row(s.leg, robot.legs[s.leg].name, gait_row(s.leg, robot.num_legs()), s.lift,
+            landed ? s.land : end, landed ? s.p_WF : none, landed ? s.along : s.land);
   }
+  out << csv.text();
 }
 
 void Recording::write_gait(std::ostream& out) const {
-  out << "from_s,to_s,ccn_before_adjustment,type,type_index\n";
-  constexpr std::string_view kTypes = "-ABCD";
+  figures::Csv csv("from_s,to_s,ccn_before_adjustment,type,type_index");
   for (const GaitSpan& s : gait_) {
     const auto index = static_cast<std::size_t>(s.type);
-    out << fmt::format("{:.4f},{:.4f},{},{},{}\n", s.from, s.to, s.ccn, kTypes[index], index);
+    csv.row(s.from, s.to, s.ccn, "-ABCD"[index], index);
   }
+  out << csv.text();
 }
 
+double ahead(const Recording::Sample& sample, const Vector3& p_W) {
+  const Vector2 from_base = (p_W - sample.X_WB.p).head<2>();
+  return from_base.dot(Vector2(std::cos(sample.direction), std::sin(sample.direction)));
+}
+
+int gait_row(LegId leg, int num_legs) { return leg % 2 == 0 ? leg / 2 : num_legs / 2 + leg / 2; }
+
 std::string row_names(const RobotModel& robot) {
+  const int n = robot.num_legs();
   std::string names;
-  for (int row = 0; row < robot.num_legs(); ++row) {
-    const int half = robot.num_legs() / 2;
-    const LegId leg = row < half ? 2 * row : 2 * (row - half) + 1;
-    names += fmt::format("\"{}\" {}, ", robot.legs[leg].name, row);
-  }
-  return names + fmt::format("\"state\" {}", robot.num_legs());
+  for (LegId i = 0; i < n; ++i)
+    names += fmt::format("\"{}\" {}, ", robot.legs[i].name, gait_row(i, n));
+  return names + fmt::format("\"state\" {}", n);
 }
 
 }  // namespace hexagait::recording

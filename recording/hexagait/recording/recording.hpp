@@ -2,25 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
+#include <hexagait/sim2d/terrain2d.hpp>
 #include <hexagait/sim3d/terrain.hpp>
-#include <hexagait/walk/trial.hpp>
+#include <hexagait/walk/referee.hpp>
 #include <iosfwd>
 #include <limits>
 #include <vector>
 
 namespace hexagait::recording {
 
-/// What of a walk is drawn: the body every 20 ms, every step, every change of the gait state.
+/// What of a walk is drawn, in either simulator: the robot every 20 ms, every step, every change of
+/// the gait state.
 class Recording {
  public:
-  /// The body at one instant.
+  static constexpr double kSampling = 0.02;  ///< [s]
+
+  /// The robot at one instant.
   struct Sample {
-    double time = 0.0;     ///< [s]
-    Pose X_WB;             ///< true
-    PlanarPose ideal;      ///< on the commanded curve
-    double lateral = 0.0;  ///< [m]
-    double ground = 0.0;   ///< height of the ground below the base's origin [m]
+    double time = 0.0;       ///< [s]
+    Pose X_WB;               ///< true
+    PlanarPose ideal;        ///< on the commanded curve
+    double direction = 0.0;  ///< of the commanded curve there, from x of the world [rad]
+    double along = 0.0;      ///< path along the commanded curves so far [m]
+    double lateral = 0.0;    ///< [m]
+    double ground = 0.0;     ///< height of the ground below the base's origin [m]
     LegArray<Vector3> p_WF;
+    LegSet in_contact;
+    LegArray<LegJoints> q;  ///< measured
   };
   /// One step of one leg.
   struct Step {
@@ -28,6 +37,7 @@ class Recording {
     double lift = 0.0;                                       ///< [s]
     double land = std::numeric_limits<double>::quiet_NaN();  ///< [s]; NaN if it did not
     Vector3 p_WF = Vector3::Zero();                          ///< where it landed
+    double along = 0.0;                                      ///< the same, as Sample::along [m]
   };
   /// A time in which the gait state had one CCN before adjustment and one type.
   struct GaitSpan {
@@ -36,7 +46,14 @@ class Recording {
     gait_state::GaitType type = gait_state::GaitType::none;
   };
 
-  explicit Recording(const sim3d::Terrain& terrain) : terrain_(terrain) {}
+  explicit Recording(const sim3d::Terrain& terrain)
+      : cell_(terrain.spec().cell),
+        highest_(terrain.spec().height),
+        height_([terrain](double x, double y) { return terrain.height_at(x, y); }) {}
+  explicit Recording(const sim2d::Terrain2d& terrain)
+      : cell_(0.02), highest_(terrain.spec().height), height_([terrain](double x, double y) {
+          return terrain.height_at(y < 0.0 ? sim2d::Side::right : sim2d::Side::left, x);
+        }) {}
 
   void observe(const footstep_gen::TickRecord& record, const GroundTruth& truth,
                const walk::Referee& referee);
@@ -44,6 +61,9 @@ class Recording {
   [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
   [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
   [[nodiscard]] const std::vector<GaitSpan>& gait() const { return gait_; }
+  [[nodiscard]] double height_at(double x, double y) const { return height_(x, y); }
+  [[nodiscard]] double cell() const { return cell_; }        ///< in which the ground is drawn [m]
+  [[nodiscard]] double highest() const { return highest_; }  ///< ground: 0 … this [m]
 
   /// The tables as comma-separated values, with units in the header.
   void write_body(std::ostream& out) const;
@@ -51,19 +71,24 @@ class Recording {
   void write_gait(std::ostream& out) const;
 
  private:
-  void watch_body(double time, const GroundTruth& truth, const walk::Referee& referee);
   void watch_steps(double time, const footstep_gen::TickRecord& record, const GroundTruth& truth);
   void watch_gait(double time, const gait_state::GaitDecision& gait);
 
-  sim3d::Terrain terrain_;
+  double cell_, highest_;
+  std::function<double(double, double)> height_;
   double start_ = std::numeric_limits<double>::quiet_NaN();
   std::vector<Sample> samples_;
   std::vector<Step> steps_;
   std::vector<GaitSpan> gait_;
 };
 
-/// The rows of a gait diagram as tics of gnuplot: the legs' names, left ones first, as
-/// write_steps() numbers them, and the gait state.
+/// How far ahead of the base's origin a point is, along the commanded curve [m].
+[[nodiscard]] double ahead(const Recording::Sample& sample, const Vector3& p_W);
+
+/// The row of a leg in a gait diagram: left legs above right ones, the front ones first.
+[[nodiscard]] int gait_row(LegId leg, int num_legs);
+
+/// These rows as tics of gnuplot: the legs' names, and below them the gait state.
 [[nodiscard]] std::string row_names(const RobotModel& robot);
 
 }  // namespace hexagait::recording

@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <atomic>
 #include <cstdint>
-#include <functional>
+#include <hexagait/footstep_gen/tick_record.hpp>
 #include <hexagait/gait_state/gait_choice.hpp>
 #include <hexagait/sim2d/genghis_controller.hpp>
 #include <hexagait/sim2d/genghis_world.hpp>
 #include <hexagait/sim2d/terrain2d.hpp>
 #include <limits>
-#include <optional>
 
 namespace hexagait::sim2d {
 
@@ -28,43 +26,22 @@ struct GenghisTrial {
   GenghisParams controller;    ///< its gait, direction and period are those above
 };
 
-/// How it went, by ground truth.
-struct GenghisSummary {
-  double seconds = 0.0;   ///< walked [s]
-  double distance = 0.0;  ///< of the middle of the body, along the command [m]
-  double speed = 0.0;     ///< distance / seconds [m/s]
+/// @throws InvalidInput  listing every number of a trial that is out of range
+void check(const GenghisTrial& trial, const GenghisModel& model);
 
-  int steps = 0;                          ///< lifts commanded
-  std::optional<int> tripod_after_steps;  ///< see gait_state::first_tripod_gait()
-  int rule1_violations = 0;               ///< lifts commanded while a neighbour was not in support
-  double neighbour_flight = 0.0;  ///< time in which two neighbours were in fact off the ground [s]
-  int contact_losses = 0;         ///< times that a leg in support lost its hold
-  int blocked = 0;                ///< times that an advance ran into something
-  int searches = 0;               ///< times that no ground was found within reach
+/// The world and the controller of a trial, at rest on its feet and before the first tick.
+/// @throws InvalidInput  if no world can be made from the trial
+[[nodiscard]] GenghisWorld settled_world(const GenghisTrial& trial, const GenghisModel& model);
+[[nodiscard]] GenghisController controller(const GenghisTrial& trial, const GenghisModel& model);
 
-  double slip_mean = 0.0;          ///< path that a foot slid, per step [m]
-  double pitch_max = 0.0;          ///< absolute [rad]
-  double height_min = 0.0;         ///< of the line of hips above z = 0 [m]
-  double height_max = 0.0;         ///< [m]
-  double body_contact_time = 0.0;  ///< in which the body touched the ground: allowed [s]
-  bool fell = false;               ///< pitched by more than 60°, or the physics blew up
-  bool stuck = false;              ///< no 2 cm of progress in 30 s
-  bool arrived = false;            ///< the distance asked for was reached
-  double real_time_factor = 0.0;   ///< simulated seconds per second of processor time
-  std::uint64_t state_hash = 0;    ///< of true pose and joints at every tick (FNV-1a)
+/// Genghis as a robot in space, for referee, recording and figures: names, hips, workspaces, body.
+/// Its joints are swing [rad] and lift [m]; it can't be walked by the walker of robots in space.
+[[nodiscard]] RobotModel robot_in_space(const GenghisModel& model);
 
-  /// Walked to the end as asked.
-  [[nodiscard]] bool ok() const { return !fell && !stuck; }
-};
-
-/// Called after every tick: what the controller computed, and the truth.
-using GenghisObserver = std::function<void(const GenghisRecord&, const GenghisTruth&)>;
-
-/// Walks: same trial and binary, same bits (real_time_factor apart).
-/// @param stop  once true, the walk ends
-/// @throws InvalidInput  if a number is out of range
-[[nodiscard]] GenghisSummary run_genghis(const GenghisTrial& trial,
-                                         const GenghisObserver& observer = {},
-                                         const std::atomic<bool>* stop = nullptr);
+/// The record of a tick in the words of the walker of robots in space, as far as Genghis has them.
+/// It has no odometry: X_OB of the state is NaN.
+/// @param record  is overwritten; the same one every time
+void record_in_space(const GenghisModel& model, const GenghisParams& params,
+                     const GenghisRecord& genghis, footstep_gen::TickRecord& record);
 
 }  // namespace hexagait::sim2d

@@ -45,12 +45,19 @@ struct GenghisModel {
   double stance_height = 0.072;    ///< of the hips above the foot centres, at the centres [m]
   double workspace_radius = 0.05;  ///< fore and aft of the centre [m]
 
+  /// How far hips and feet are to the sides of the middle [m], ours: the physics is plane and knows
+  /// nothing of it, but referee and figures see a robot in space.
+  double hip_y = 0.05, foot_y = 0.13;
+
   [[nodiscard]] double mass() const { return body_mass + 6.0 * leg_mass; }
 };
 
 inline constexpr int kGenghisLegs = 6;
 
 [[nodiscard]] constexpr Side side_of(LegId leg) { return leg % 2 == 0 ? Side::left : Side::right; }
+
+/// +1 for legs of the left side, −1 for those of the right.
+[[nodiscard]] constexpr double sign_of(LegId leg) { return leg % 2 == 0 ? 1.0 : -1.0; }
 
 [[nodiscard]] inline Vector2 hip(const GenghisModel& model, LegId leg) {
   return {model.hip_x[static_cast<std::size_t>(leg / 2)], 0.0};

@@ -32,6 +32,8 @@ GenghisWorldParams checked(const GenghisWorldParams& params) {
   return params;
 }
 
+Vector3 in_space(const Vector2& p, double y) { return {p.x(), y, p.y()}; }
+
 /// One servo: an implicit spring-damper on its own inertia. What the foot meets only adds to that.
 struct Servo {
   double kp, kd, limit, inertia, dt;
@@ -138,7 +140,7 @@ class GenghisWorld::Impl {
     for (LegId i = 0; i < kGenghisLegs; ++i)
       legs_[i] = make_leg(world_, body_, model, i, q[i], params.foot_friction);
     ground_.cover(0.0);
-    truth_.feet = LegArray<GenghisFoot>(kGenghisLegs);
+    truth_.feet = LegArray<FootTruth>(kGenghisLegs);
     observe();
   }
 
@@ -147,7 +149,7 @@ class GenghisWorld::Impl {
     measurement.q = LegArray<GenghisJoints>(kGenghisLegs);
     for (LegId i = 0; i < kGenghisLegs; ++i) measurement.q[i] = joints(i);
     measurement.load = load_;
-    measurement.pitch = truth_.pitch;
+    measurement.pitch = pitch_;
   }
 
   void write(const GenghisTargets& targets) {
@@ -163,10 +165,12 @@ class GenghisWorld::Impl {
       truth_.time += params_.physics_dt;
       observe();
     }
-    ground_.cover(truth_.p_WB.x());
+    ground_.cover(truth_.X_WB.p.x());
   }
 
-  [[nodiscard]] const GenghisTruth& truth() const { return truth_; }
+  [[nodiscard]] const GroundTruth& truth() const { return truth_; }
+  [[nodiscard]] double pitch() const { return pitch_; }
+  [[nodiscard]] bool underside_touches() const { return underside_touches_; }
   [[nodiscard]] const Terrain2d& terrain() const { return ground_.terrain(); }
 
  private:
@@ -197,24 +201,30 @@ class GenghisWorld::Impl {
   }
 
   void observe() {
-    truth_.p_WB = metres(body_->GetPosition());
-    truth_.pitch = static_cast<double>(body_->GetAngle());
-    truth_.finite = truth_.p_WB.allFinite() && std::isfinite(truth_.pitch);
-    truth_.vertical_force = 0.0;
-    truth_.body_touches_ground = touch(body_).normal_force > 0.0;
+    pitch_ = static_cast<double>(body_->GetAngle());
+    // Nose up is a negative turn about y.
+    truth_.X_WB = {Eigen::AngleAxisd(-pitch_, Vector3::UnitY()).toRotationMatrix(),
+                   in_space(metres(body_->GetPosition()), 0.0)};
+    truth_.V_WB.v = truth_.X_WB.R.transpose() * in_space(metres(body_->GetLinearVelocity()), 0.0);
+    truth_.V_WB.w = {0.0, -static_cast<double>(body_->GetAngularVelocity()), 0.0};
+    truth_.finite = truth_.X_WB.p.allFinite() && std::isfinite(pitch_);
+    underside_touches_ = touch(body_).normal_force > 0.0;
     for (LegId i = 0; i < kGenghisLegs; ++i) {
       const Touch contact = touch(legs_[i].body);
-      GenghisFoot& foot = truth_.feet[i];
-      foot.p_WF = metres(legs_[i].body->GetWorldPoint({0.0F, units(-model_.leg_length)}));
+      FootTruth& foot = truth_.feet[i];
+      foot.p_WF = in_space(metres(legs_[i].body->GetWorldPoint({0.0F, units(-model_.leg_length)})),
+                           sign_of(i) * model_.foot_y);
       foot.normal_force = contact.normal_force;
       foot.in_contact = contact.normal_force > 0.0;
-      foot.slip_path += contact.slip_speed * params_.physics_dt;
+      foot.slip_speed = contact.slip.norm();
+      foot.slip_path += foot.slip_speed * params_.physics_dt;
+      foot.slip += in_space(contact.slip, 0.0) * params_.physics_dt;
     }
   }
 
   struct Touch {
-    double normal_force = 0.0;  ///< [N]
-    double slip_speed = 0.0;    ///< at the most loaded contact [m/s]
+    double normal_force = 0.0;       ///< [N]
+    Vector2 slip = Vector2::Zero();  ///< tangential velocity at the most loaded contact [m/s]
   };
 
   Touch touch(b2Body* body) {
@@ -229,11 +239,11 @@ class GenghisWorld::Impl {
       for (int k = 0; k < manifold.pointCount; ++k) {
         const double normal = newtons(manifold.points[k].normalImpulse) * per_step;
         result.normal_force += normal;
-        truth_.vertical_force += std::abs(normal * static_cast<double>(world.normal.y));
         if (normal <= most) continue;
         most = normal;
         const b2Vec2 v = body->GetLinearVelocityFromWorldPoint(world.points[k]);
-        result.slip_speed = std::abs(metres(b2Cross(world.normal, v)));
+        const b2Vec2 along = b2Cross(1.0F, world.normal);
+        result.slip = metres(b2Dot(along, v) * along);
       }
     }
     return result;
@@ -247,7 +257,9 @@ class GenghisWorld::Impl {
   b2Body* body_ = nullptr;
   LegArray<Leg> legs_;
   LegArray<double> load_;
-  GenghisTruth truth_;
+  GroundTruth truth_;
+  double pitch_ = 0.0;  ///< positive nose up [rad]
+  bool underside_touches_ = false;
 };
 
 GenghisWorld::GenghisWorld(const GenghisModel& model, const TerrainSpec2d& terrain,
@@ -259,7 +271,9 @@ GenghisWorld& GenghisWorld::operator=(GenghisWorld&&) noexcept = default;
 
 void GenghisWorld::read(GenghisMeasurement& measurement) const { impl_->read(measurement); }
 void GenghisWorld::write(const GenghisTargets& targets) { impl_->write(targets); }
-const GenghisTruth& GenghisWorld::truth() const { return impl_->truth(); }
+const GroundTruth& GenghisWorld::truth() const { return impl_->truth(); }
+double GenghisWorld::pitch() const { return impl_->pitch(); }
+bool GenghisWorld::underside_touches() const { return impl_->underside_touches(); }
 const Terrain2d& GenghisWorld::terrain() const { return impl_->terrain(); }
 
 }  // namespace hexagait::sim2d

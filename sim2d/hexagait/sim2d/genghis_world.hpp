@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <hexagait/sim/ground_truth.hpp>
 #include <hexagait/sim2d/genghis_model.hpp>
 #include <hexagait/sim2d/terrain2d.hpp>
 #include <memory>
@@ -22,25 +23,6 @@ struct GenghisMeasurement {
 struct GenghisTargets {
   LegArray<GenghisJoints> q;      ///< [rad], [m]
   LegArray<GenghisJoints> q_dot;  ///< feed-forward [rad/s], [m/s]
-};
-
-/// What is true of one foot.
-struct GenghisFoot {
-  Vector2 p_WF = Vector2::Zero();  ///< foot centre [m]
-  double normal_force = 0.0;       ///< in the last physics step [N]
-  bool in_contact = false;
-  double slip_path = 0.0;  ///< ∫ |tangential velocity of the material contact point| dt [m]
-};
-
-/// For the referee alone.
-struct GenghisTruth {
-  double time = 0.0;
-  Vector2 p_WB = Vector2::Zero();  ///< middle of the line of hips [m]
-  double pitch = 0.0;              ///< positive nose up [rad]
-  LegArray<GenghisFoot> feet;
-  double vertical_force = 0.0;       ///< of the ground on all of the robot, last step [N]
-  bool body_touches_ground = false;  ///< allowed: Genghis feels and slides on its underside
-  bool finite = true;                ///< false once the physics has blown up
 };
 
 struct GenghisWorldParams {
@@ -78,8 +60,12 @@ class GenghisWorld {
   /// Sets the servos' set points and advances the world by a control period.
   void write(const GenghisTargets& targets);
 
-  /// For the referee alone.
-  [[nodiscard]] const GenghisTruth& truth() const;
+  /// For the referee alone. The plane of the physics is that of x and z: the base stays at y = 0
+  /// and without roll or yaw, feet are beside it as the model says. base_touches_ground is never
+  /// set: that is a fall, and Genghis may slide on its underside.
+  [[nodiscard]] const GroundTruth& truth() const;
+  [[nodiscard]] double pitch() const;  ///< positive nose up [rad]
+  [[nodiscard]] bool underside_touches() const;
   [[nodiscard]] const Terrain2d& terrain() const;
 
  private:

@@ -54,7 +54,6 @@ TEST(GenghisWorld, TheFeetCarryTheWeight) {
   Standing robot;
   robot.wait(2.0);
   const double weight = robot.model.mass() * 9.81;
-  EXPECT_NEAR(robot.world.truth().vertical_force, weight, 0.01 * weight);
   double feet = 0.0, load = 0.0;
   for (LegId i = 0; i < kGenghisLegs; ++i) {
     feet += robot.world.truth().feet[i].normal_force;
@@ -62,8 +61,8 @@ TEST(GenghisWorld, TheFeetCarryTheWeight) {
   }
   EXPECT_NEAR(feet, weight, 0.01 * weight);
   EXPECT_NEAR(load, weight, 0.01 * weight);
-  EXPECT_FALSE(robot.world.truth().body_touches_ground);
-  EXPECT_NEAR(robot.world.truth().pitch, 0.0, 0.01);
+  EXPECT_FALSE(robot.world.underside_touches());
+  EXPECT_NEAR(robot.world.pitch(), 0.0, 0.01);
 }
 
 // The load of a leg in the air is none, though its motor holds it up.
@@ -82,6 +81,34 @@ TEST(GenghisWorld, PitchIsPositiveNoseUp) {
   for (const LegId rear : {4, 5}) robot.targets.q[rear].lift += 0.02;
   robot.wait(2.0);
   EXPECT_GT(robot.measurement.pitch, 0.03);
+  EXPECT_EQ(robot.world.pitch(), robot.measurement.pitch);
+  // In space, x forward and z up: the nose is above the tail.
+  EXPECT_GT((robot.world.truth().X_WB.R * Vector3::UnitX()).z(), 0.03);
+}
+
+// The plane has no y: left feet stand to the left, right ones to the right, the body between them.
+TEST(GenghisWorld, TheTruthIsThatOfARobotInSpace) {
+  Standing robot;
+  robot.wait(0.5);
+  const GroundTruth& truth = robot.world.truth();
+  EXPECT_EQ(truth.X_WB.p.y(), 0.0);
+  EXPECT_FALSE(truth.base_touches_ground);
+  for (LegId i = 0; i < kGenghisLegs; ++i)
+    EXPECT_EQ(truth.feet[i].p_WF.y(), sign_of(i) * robot.model.foot_y);
+}
+
+// A foot that slides: its slip has the length of the path, and lies along the flat ground.
+TEST(GenghisWorld, SlipIsAVectorAlongTheGround) {
+  Standing robot;
+  robot.wait(0.5);
+  const FootTruth before = robot.world.truth().feet[2];
+  robot.targets.q[2].swing += 0.3;
+  robot.wait(1.0);
+  const FootTruth& after = robot.world.truth().feet[2];
+  const Vector3 slip = after.slip - before.slip;
+  EXPECT_GT(slip.x(), 0.005);
+  EXPECT_NEAR(slip.z(), 0.0, 1e-6);
+  EXPECT_LE(slip.norm(), after.slip_path - before.slip_path + 1e-12);
 }
 
 // Left legs stand on the left profile, right ones on the right.
@@ -95,10 +122,10 @@ TEST(GenghisWorld, EachSideHasItsOwnGround) {
   GenghisTargets targets{q, LegArray<GenghisJoints>(kGenghisLegs)};
   for (int k = 0; k < 200; ++k) world.write(targets);
   for (LegId i = 0; i < kGenghisLegs; ++i) {
-    const GenghisFoot& foot = world.truth().feet[i];
+    const FootTruth& foot = world.truth().feet[i];
     const double ground = world.terrain().height_at(side_of(i), foot.p_WF.x());
     if (foot.in_contact) {
-      EXPECT_NEAR(foot.p_WF.y(), ground + model.foot_radius, 0.003);
+      EXPECT_NEAR(foot.p_WF.z(), ground + model.foot_radius, 0.003);
     }
   }
 }

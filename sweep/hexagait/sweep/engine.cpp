@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <hexagait/recording/genghis.hpp>
 #include <hexagait/recording/simulation.hpp>
-#include <hexagait/sim2d/genghis.hpp>
 #include <hexagait/sim2d/slice_model.hpp>
 #include <hexagait/sweep/engine.hpp>
 #include <hexagait/text/invalid_input.hpp>
@@ -100,13 +100,13 @@ std::string run_genghis(const TrialConfig& config) {
   trial.random_posture = config.limits.random_posture;
   if (config.limits.distance > 0.0) trial.distance = config.limits.distance;
 
-  const sim2d::GenghisSummary s = sim2d::run_genghis(trial);
+  const recording::GenghisSummary s = recording::simulate(trial);
   const Outcome end = outcome(s, config.limits);
   return fmt::format("{},,{},{:d},{},{:d},{:d},{},{},{},{},{},{},{},{},{},{},{:016x}",
                      to_string(end), s.speed, to_the_end(end), arrived(s, config.limits), s.fell,
                      s.stuck, s.seconds, s.distance, s.steps, optional(s.tripod_after_steps),
-                     s.slip_mean, s.pitch_max, s.searches, s.blocked, s.contact_losses,
-                     s.rule1_violations, s.state_hash);
+                     s.slip_mean, s.pitch_max, s.side_view.searches, s.side_view.blocked,
+                     s.contact_losses, s.rule1_violations, s.state_hash);
 }
 
 // ---- ode --------------------------------------------------------------------------------------

@@ -15,8 +15,6 @@ using footstep_gen::TickRecord;
 
 constexpr double kBounce = 0.05;         // a foot off the ground for less goes on standing [s]
 constexpr double kSettling = 0.02;       // a support younger than this may still lose contact [s]
-constexpr double kStuckTime = 10.0;      // without kStuckProgress [s]
-constexpr double kStuckProgress = 0.05;  // of path [m], or turned [rad]
 constexpr double kFallTilt = std::numbers::pi / 3.0;
 
 PlanarPose in_plane(const Pose& X_WB) { return {roll_pitch_yaw(X_WB.R).z(), X_WB.p.head<2>()}; }
@@ -37,9 +35,11 @@ double percentile(std::vector<double> values, double share) {
   return values[rank];
 }
 
-Referee::Referee(const RobotModel& model, const GroundTruth& truth, double control_dt)
+Referee::Referee(const RobotModel& model, const GroundTruth& truth, double control_dt,
+                 const Patience& patience)
     : model_(&model),
       dt_(control_dt),
+      patience_(patience),
       start_(in_plane(truth.X_WB)),
       path_(start_),
       stances_(model.num_legs()),
@@ -157,11 +157,11 @@ void Referee::watch_progress(const TickRecord& record) {
   const bool spins = record.heading.rho() == 0.0;
   const double progress = spins ? std::abs(turned_ - turned_before_) : deviation_.progress;
   idle_ = record.heading.moving() ? idle_ + dt_ : 0.0;
-  if (progress > progress_seen_ + kStuckProgress) {
+  if (progress > progress_seen_ + patience_.progress) {
     progress_seen_ = progress;
     idle_ = 0.0;
   }
-  summary_.stuck = summary_.stuck || idle_ > kStuckTime;
+  summary_.stuck = summary_.stuck || idle_ > patience_.seconds;
 }
 
 Summary Referee::summary() const {

@@ -13,15 +13,23 @@ namespace hexagait::walk {
 using gait_state::first_tripod_gait;
 using gait_state::TimedLift;
 
+/// A robot that is to move and does not make so much progress in so long is stuck.
+struct Patience {
+  double seconds = 10.0;   ///< [s]
+  double progress = 0.05;  ///< of path [m], or turned in a turn in place [rad]
+};
+
 /// Judges a walk by ground truth, tick by tick. Sees what the controller can't, and tells it
 /// nothing.
 class Referee {
  public:
-  Referee(const RobotModel& model, const GroundTruth& truth, double control_dt);
+  Referee(const RobotModel& model, const GroundTruth& truth, double control_dt,
+          const Patience& patience = {});
 
   /// After every tick of the controller and step of the plant.
   void observe(const footstep_gen::TickRecord& record, const GroundTruth& truth);
 
+  [[nodiscard]] const RobotModel& robot() const { return *model_; }
   [[nodiscard]] const ReferencePath::Deviation& deviation() const { return deviation_; }
   /// Where the base should be, on the commanded curve.
   [[nodiscard]] const PlanarPose& ideal() const { return path_.ideal(); }
@@ -53,6 +61,7 @@ class Referee {
 
   const RobotModel* model_;
   double dt_;
+  Patience patience_;
   PlanarPose start_;
   ReferencePath path_;
   heading_control::Heading heading_ = heading_control::Heading::stop();

@@ -13,7 +13,7 @@
 #include <hexagait/pc04/fig7_physics.gp.hpp>
 #include <hexagait/pc04/judges.hpp>
 #include <hexagait/pc04/pc04.hpp>
-#include <hexagait/sim2d/genghis.hpp>
+#include <hexagait/recording/genghis.hpp>
 #include <hexagait/statistics/statistics.hpp>
 
 namespace hexagait::experiments {
@@ -40,12 +40,12 @@ Ground::Walk walk(const std::string& gait, int roughness, std::uint64_t seed, do
   trial.random_posture = kPosture;
 
   double begin = 0.0, start = 0.0, end = 0.0;
-  const auto observe = [&](const auto&, const sim2d::GenghisTruth& truth) {
+  const auto observe = [&](const auto&, const GroundTruth& truth, const auto&) {
     if (begin == 0.0) begin = truth.time;
-    if (truth.time <= begin + kTransient) start = truth.p_WB.x();
-    end = truth.p_WB.x();
+    if (truth.time <= begin + kTransient) start = truth.X_WB.p.x();
+    end = truth.X_WB.p.x();
   };
-  Ground::Walk result{sim2d::run_genghis(trial, observe, stop)};
+  Ground::Walk result{recording::simulate(trial, observe, stop)};
   const double settled = result.summary.seconds - kTransient;
   result.settled_speed = settled > 0.0 ? (end - start) / settled : 0.0;
   return result;
@@ -73,8 +73,9 @@ figures::Table write_tables(figures::StagedFiles& files, const std::vector<Groun
       int seed = 0, steps = 0, failed = 0;
       for (const auto& [s, settled] : ground.walks[gait]) {
         trials.row(static_cast<int>(gait), ground.roughness, ++seed, 1e2 * s.speed, 1e2 * settled,
-                   s.steps, s.tripod_after_steps.value_or(-1), s.blocked, s.searches, s.slip_mean,
-                   s.pitch_max, s.ok(), fmt::format("{:016x}", s.state_hash));
+                   s.steps, s.tripod_after_steps.value_or(-1), s.side_view.blocked,
+                   s.side_view.searches, s.slip_mean, s.pitch_max, s.ok(),
+                   fmt::format("{:016x}", s.state_hash));
         steps += s.steps;
         failed += !s.ok();
       }

@@ -249,7 +249,7 @@ std::vector<Verdict> judge_fig7_physics(const std::vector<GenghisGround>& ground
   const Ground& flat = grounds.front();
 
   // Walks of all gaits and grounds.
-  std::vector<sim2d::GenghisSummary> all;
+  std::vector<recording::GenghisSummary> all;
   for (const Ground& ground : grounds)
     for (const auto& walks : ground.walks)
       for (const Ground::Walk& walk : walks) all.push_back(walk.summary);

@@ -7,7 +7,7 @@
 #include <hexagait/gait_state/gait_state.hpp>
 #include <hexagait/pc04/gait_tables.hpp>
 #include <hexagait/pc04/slice_comparison.hpp>
-#include <hexagait/sim2d/genghis.hpp>
+#include <hexagait/recording/genghis.hpp>
 #include <hexagait/walk/summary.hpp>
 
 /// The claims of [PC04], judged: what each experiment measured, and the verdicts on it.
@@ -59,7 +59,7 @@ struct FirstSteps {
 /// Walks of Genghis in Box2D on one ground, by gait (tripod, free, unadjusted) and seed.
 struct GenghisGround {
   struct Walk {
-    sim2d::GenghisSummary summary = {};
+    recording::GenghisSummary summary = {};
     double settled_speed = 0.0;  ///< after the transient [m/s]
   };
   enum Gait : std::size_t { kTripod, kFree, kUnadjusted };

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdint>
 #include <hexagait/recording/json.hpp>
 #include <nlohmann/json.hpp>
@@ -13,8 +14,19 @@ namespace hexagait::recording {
 
 using Json = nlohmann::ordered_json;
 
+/// JSON has no infinity and no NaN: such a number is null.
+[[nodiscard]] inline Json finite(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+/// Nothing is null.
+template <class T>
+[[nodiscard]] Json json_of(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
 /// What decides how a walk goes; how it went; how long that took.
 [[nodiscard]] Json configuration(const WalkReport& report);
+[[nodiscard]] Json results(const WalkReport& report);
 [[nodiscard]] Json results(const walk::Summary& summary);
 [[nodiscard]] Json timing(const walk::Summary& summary);
 

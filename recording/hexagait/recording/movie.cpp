@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <hexagait/figures/figure.hpp>
+#include <hexagait/figures/gnuplot.hpp>
+#include <hexagait/recording/movie.gp.hpp>
+#include <hexagait/recording/movie.hpp>
+#include <hexagait/recording/robot_view.hpp>
+#include <sstream>
+
+namespace hexagait::recording {
+namespace {
+
+using figures::Box;
+using figures::Panel;
+
+constexpr double kWidth = 720.0;                                               // [px]
+constexpr double kTallest = 460.0;                                             // of a panel [px]
+constexpr double kTop = 34.0, kBetween = 34.0, kBottom = 10.0, kAside = 10.0;  // [px]
+
+// What both panels show; a metre is as long in one as in the other.
+struct Camera {
+  Box side, above;
+  double scale = 0.0;  ///< [px/m]
+};
+
+Camera camera(const Recording& recording, const RobotView& view,
+              const std::vector<std::size_t>& frames) {
+  const double length = view.body_length();
+  Camera camera;
+  for (const std::size_t k : frames) {
+    const Recording::Sample& s = recording.samples()[k];
+    const Vector2 base = view.from_side(k, s.X_WB.p);
+    camera.side.include(base + Vector2(0.6 * length, 0.25 * length));
+    camera.side.include(base - Vector2(0.6 * length, 0.0));
+    camera.above.include(s.X_WB.p.head<2>() + Vector2::Constant(0.6 * length));
+    camera.above.include(s.X_WB.p.head<2>() - Vector2::Constant(0.6 * length));
+    for (const Vector3& p : s.p_WF) {
+      camera.side.include(view.from_side(k, p) - Vector2(0.0, 0.06 * length));
+      camera.above.include(p.head<2>());
+    }
+  }
+  camera.above = camera.above.grown(0.05 * length);
+  const double across = kWidth - 2.0 * kAside;
+  const double widest = std::max(camera.side.size().x(), camera.above.size().x());
+  const double tallest = std::max(camera.side.size().y(), camera.above.size().y());
+  camera.scale = std::min(across / widest, kTallest / tallest);
+  for (Box* box : {&camera.side, &camera.above}) {
+    const double spare = 0.5 * (across / camera.scale - box->size().x());
+    box->least.x() -= spare;
+    box->greatest.x() += spare;
+  }
+  return camera;
+}
+
+std::string table(const std::string& stem, const char* name) {
+  return fmt::format("{}-movie-{}.csv", stem, name);
+}
+
+}  // namespace
+
+std::vector<std::string> movie_files(const std::string& stem) {
+  std::vector<std::string> names = {stem + "-movie.gp"};
+  for (const char* name :
+       {"side", "above", "legs", "support", "feet", "steps", "profile", "cells", "body"})
+    names.push_back(table(stem, name));
+  return names;
+}
+
+void draw_movie(figures::StagedFiles& files, const std::string& stem, const Recording& recording,
+                const RobotModel& robot, const MovieOptions& options) {
+  const RobotView view(recording, robot);
+  const auto per_frame = static_cast<std::size_t>(options.samples_per_frame);
+  const auto most = static_cast<std::size_t>(
+      std::lround(options.seconds / (Recording::kSampling * options.samples_per_frame)));
+  const std::size_t count =
+      std::min(most, (recording.samples().size() + per_frame - 1) / per_frame);
+  const std::size_t first = recording.samples().size() - (count - 1) * per_frame - 1;
+  std::vector<std::size_t> frames, samples;
+  for (std::size_t k = first; k < recording.samples().size(); ++k) {
+    samples.push_back(k);
+    if ((k - first) % per_frame == 0) frames.push_back(k);
+  }
+
+  const Camera seen = camera(recording, view, frames);
+  const double side = std::round(seen.scale * seen.side.size().y());
+  const double above = std::round(seen.scale * seen.above.size().y());
+  const double height = kTop + side + kBetween + above + kBottom;
+  const double left = kAside / kWidth, right = 1.0 - left;
+
+  std::ostringstream steps, body;
+  recording.write_steps(steps, robot);
+  recording.write_body(body);
+  const std::pair<const char*, std::string> tables[] = {{"side", view.side(frames).text()},
+                                                        {"above", view.above(frames).text()},
+                                                        {"legs", view.legs(frames).text()},
+                                                        {"support", view.support(frames).text()},
+                                                        {"feet", view.feet(samples).text()},
+                                                        {"steps", steps.str()},
+                                                        {"profile", view.profile().text()},
+                                                        {"cells", view.cells(seen.above).text()},
+                                                        {"body", body.str()}};
+  for (const auto& [name, text] : tables) files.write(table(stem, name), text);
+
+  const figures::Variables variables = {
+      {"stem", stem + "-movie"},
+      {"width", kWidth},
+      {"height", height},
+      {"delay", 100.0 * Recording::kSampling * options.samples_per_frame},
+      {"frames", static_cast<double>(frames.size())},
+      {"per_frame", static_cast<double>(per_frame)},
+      {"start", recording.samples()[first].time},
+      {"first", static_cast<double>(first)},
+      {"outlines", static_cast<double>(view.num_outlines())},
+      {"legs", static_cast<double>(robot.num_legs())},
+      {"half_cell", 0.5 * recording.cell()},
+      {"highest", recording.highest()},
+      {"z_min", seen.side.least.y()},
+      {"side", seen.side},
+      {"above", seen.above},
+      {"side_bottom", (kBottom + above + kBetween) / height},
+      {"side_top", 1.0 - kTop / height},
+      {"above_bottom", kBottom / height},
+      {"above_top", (kBottom + above) / height},
+      {"left", left},
+      {"right", right}};
+  const std::string script = stem + "-movie.gp";
+  files.write(script, fmt::format("# gnuplot draws it.\nif (!exists(\"figure\")) figure = {}\n{}{}",
+                                  figures::quoted(stem + ".gif"), variables.text(),
+                                  scripts::recording::movie));
+  figures::run_gnuplot(files.staging(), script, stem + ".gif");
+}
+
+}  // namespace hexagait::recording
