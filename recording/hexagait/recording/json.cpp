@@ -102,6 +102,7 @@ Json results(const walk::Summary& s) {
       {"tripod_after_steps", s.tripod_after_steps ? Json(*s.tripod_after_steps) : Json(nullptr)},
       {"rule1_violations", s.rule1_violations},
       {"neighbour_flight_s", s.neighbour_flight},
+      {"leg_touch_s", s.leg_touch_time},
       {"contact_losses", s.contact_losses},
       {"falls", s.fell ? 1 : 0},
       {"stuck", s.stuck},
