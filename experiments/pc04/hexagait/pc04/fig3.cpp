@@ -39,13 +39,7 @@ std::string period_of(const std::string& types) {
   for (std::size_t length = 1; 2 * length <= types.size(); ++length) {
     bool repeats = true;
     for (std::size_t k = length; k < types.size(); ++k) repeats &= types[k] == types[k - length];
-    if (!repeats) continue;
-    std::string text = types.substr(0, length), first = text;
-    for (std::size_t turn = 0; turn < length; ++turn) {
-      std::rotate(text.begin(), text.begin() + 1, text.end());
-      first = std::min(first, text);
-    }
-    return first;
+    if (repeats) return least_rotation(types.substr(0, length));
   }
   return types;
 }

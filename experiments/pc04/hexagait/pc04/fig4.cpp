@@ -22,9 +22,6 @@ namespace {
 using gait_state::GaitState;
 
 constexpr int kLegs = 6;
-// One state of each type; the others are its rotations.
-const std::map<char, std::string> kCanonical = {
-    {'A', "<<<>>>"}, {'B', "<<><>>"}, {'C', "<<>><>"}, {'D', "<><><>"}};
 // By the number of legs that step together.
 constexpr std::array<const char*, 4> kColour = {"", "left_side", "right_side", "accent"};
 
@@ -47,14 +44,12 @@ std::vector<Transition> transitions() {
 
 char letter(const GaitState& state) { return letter_of(type_of(state)); }
 
-// By how many places the state is the canonical one of its type, rotated clockwise.
+// By how many places the state is the least of its rotations, rotated clockwise.
 int rotation_of(const GaitState& state) {
-  std::string canonical = kCanonical.at(letter(state));
-  for (int turn = 0; turn < kLegs; ++turn) {
-    if (canonical == to_string(state)) return turn;
-    std::rotate(canonical.begin(), canonical.end() - 1, canonical.end());
-  }
-  return 0;
+  std::string text = least_rotation(to_string(state));
+  int turn = 0;
+  for (; text != to_string(state); ++turn) std::ranges::rotate(text, text.end() - 1);
+  return turn;
 }
 
 // A curve from one disc to another, bulging to the right by a share of its length.

@@ -11,6 +11,10 @@ namespace hexagait::experiments {
 /// 'A' … 'D', or '-' for none.
 [[nodiscard]] char letter_of(gait_state::GaitType type);
 
+/// Of all rotations of a text the first in the alphabet: a gait state's begins with its longest run
+/// of `<`.
+[[nodiscard]] std::string least_rotation(std::string text);
+
 /// A cell of [PC04] Table 1: the states of one CCN and one type.
 struct Table1Cell {
   int ccn = 0;

@@ -15,12 +15,6 @@ using recording::Recording;
 constexpr double kLeft = 75.0, kTop = 120.0, kBottom = 60.0;
 constexpr double kWidest = 1400.0, kNarrowest = 800.0, kHighest = 950.0;
 
-const Recording::Sample& sample_at(const Recording& recording, double time) {
-  const auto& samples = recording.samples();
-  const auto it = std::ranges::lower_bound(samples, time, {}, &Recording::Sample::time);
-  return it == samples.end() ? samples.back() : *it;
-}
-
 // Hips, round the body: the left ones from the front, then the right ones from the rear.
 std::vector<Vector3> outline(const Recording::Sample& sample, const RobotModel& robot) {
   std::vector<Vector3> points;
@@ -68,6 +62,12 @@ void write_terrain(figures::StagedFiles& files, const std::string& name,
 }
 
 }  // namespace
+
+const Recording::Sample& sample_at(const Recording& recording, double time) {
+  const auto& samples = recording.samples();
+  const auto it = std::ranges::lower_bound(samples, time, {}, &Recording::Sample::time);
+  return it == samples.end() ? samples.back() : *it;
+}
 
 RecordedWalk record(const ExperimentContext& context, const recording::Simulation& simulation) {
   RecordedWalk walk{Recording({simulation.terrain, simulation.seed}), {}};

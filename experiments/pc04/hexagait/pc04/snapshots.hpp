@@ -20,6 +20,10 @@ struct RecordedWalk {
 [[nodiscard]] RecordedWalk record(const ExperimentContext& context,
                                   const recording::Simulation& simulation);
 
+/// The first sample at this time [s] or later; the last one if there is none.
+[[nodiscard]] const recording::Recording::Sample& sample_at(const recording::Recording& recording,
+                                                            double time);
+
 /// Draws a walk from above, the robot itself at some instants, A, B, C …: its body, its legs, where
 /// its feet stood; below it the ground, if that is rough. The figure's size follows from the ground
 /// that is seen. Writes it, and what it was made of: stem.gp, stem-body.csv, stem-steps.csv,

@@ -18,16 +18,6 @@ using gait_state::GaitState;
 
 constexpr int kLegs = 6;
 
-// Of all rotations the first in the alphabet: it begins with the longest run of `<`.
-std::string class_of(const GaitState& state) {
-  std::string text = to_string(state), first = text;
-  for (int turn = 0; turn < kLegs; ++turn) {
-    std::rotate(text.begin(), text.begin() + 1, text.end());
-    first = std::min(first, text);
-  }
-  return first;
-}
-
 std::string spaced(const std::string& state) {
   std::string text;
   for (const char relation : state)
@@ -72,6 +62,15 @@ char letter_of(gait_state::GaitType type) {
                                             : static_cast<char>('A' + static_cast<int>(type) - 1);
 }
 
+std::string least_rotation(std::string text) {
+  std::string least = text;
+  for (std::size_t turn = 0; turn < text.size(); ++turn) {
+    std::ranges::rotate(text, text.begin() + 1);
+    least = std::min(least, text);
+  }
+  return least;
+}
+
 std::vector<Table1Cell> table1_cells() {
   std::vector<Table1Cell> cells;
   for (int ccn = 1; ccn < kLegs; ++ccn)
@@ -81,8 +80,9 @@ std::vector<Table1Cell> table1_cells() {
         const GaitState state{bits, kLegs};
         if (state.ccn() != ccn || letter_of(type_of(state)) != type) continue;
         ++cell.states;
-        if (std::ranges::find(cell.classes, class_of(state)) == cell.classes.end())
-          cell.classes.push_back(class_of(state));
+        const std::string least = least_rotation(to_string(state));
+        if (std::ranges::find(cell.classes, least) == cell.classes.end())
+          cell.classes.push_back(least);
       }
       if (cell.states > 0) cells.push_back(cell);
     }

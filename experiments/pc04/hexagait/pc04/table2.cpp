@@ -149,10 +149,9 @@ Outcome table2(const ExperimentContext& context, figures::StagedFiles& files) {
   }
   figures::write_csv(files, "table2.csv", table);
   drawn(rows).draw(
-      files,
-      context.figure("table2", 1070, 850, "From a gait state of type B on, event by event",
-                     "a … f: the legs along the ring · filled: on the ground · open: in the "
-                     "air · after [PC04] Table 2"));
+      files, context.figure("table2", 1070, 850, "From a gait state of type B on, event by event",
+                            "a … f: the legs along the ring · filled: on the ground · open: in the "
+                            "air · after [PC04] Table 2"));
   return {.verdicts = {judge_table2(rows)},
           .settings = {{"state", "<<><>>"}, {"step_time_slices", "6"}, {"remaining_slices", "3"}},
           .table = table};

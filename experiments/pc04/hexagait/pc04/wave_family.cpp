@@ -53,12 +53,6 @@ double due_phase(LegId leg, double duty_factor) {
 // Between −1/2 and 1/2.
 double wrapped(double phase) { return phase - std::round(phase); }
 
-Vector2 place_at(const recording::Recording& recording, double time) {
-  const auto& samples = recording.samples();
-  const auto it = std::ranges::lower_bound(samples, time, {}, &recording::Recording::Sample::time);
-  return (it == samples.end() ? samples.back() : *it).X_WB.p.head<2>();
-}
-
 // Speed if each foot sweeps the whole stroke S: while m = n (1 − β) legs of n are in the air,
 // v = S m / ((n − m) T).
 double speed_by_law(const Segment& segment) {
@@ -97,7 +91,8 @@ void measure(Segment& segment, const recording::Recording& recording) {
     segment.greatest_duty = std::max(segment.greatest_duty, duty);
     segment.mean_duty += duty / 6.0;
   }
-  segment.speed = (place_at(recording, end) - place_at(recording, begin)).norm() / (end - begin);
+  const Vector3 way = sample_at(recording, end).X_WB.p - sample_at(recording, begin).X_WB.p;
+  segment.speed = way.head<2>().norm() / (end - begin);
   segment.speed_by_law = speed_by_law(segment);
 }
 
