@@ -135,6 +135,7 @@ TEST_F(Cli, PrintsOneJsonObjectWithEveryResult) {
                           "tripod_after_steps",
                           "rule1_violations",
                           "neighbour_flight_s",
+                          "leg_touch_s",
                           "contact_losses",
                           "fell",
                           "stuck",
@@ -267,6 +268,24 @@ TEST_F(Cli, MakesAFigureAndSaysWhichClaimsHoldAndWhyOneDoesNot) {
   EXPECT_EQ(manifest["verdicts"][3]["holds"], false);
   EXPECT_FALSE(manifest["verdicts"][3]["checks"][0]["why_not"].get<std::string>().empty());
   EXPECT_FALSE(manifest.contains("results")) << "it is no walk";
+}
+
+TEST_F(Cli, MakesAPageOfResultsWithEachFigureItsBoundAndItsCommand) {
+  const Result result = run("results --only fig7a --only table1 --out page.md --figures r --quiet");
+  EXPECT_EQ(result.status, 0);
+  const std::string page = content(here() / "page.md");
+  EXPECT_THAT(page,
+              AllOf(HasSubstr("`hexagait experiment table1`"), HasSubstr("| states | 62 | 62 |"),
+                    HasSubstr("**as expected, does not hold**"), HasSubstr("expected -33 to -18 %"),
+                    HasSubstr("| because ")));
+  EXPECT_THAT(page, testing::Not(HasSubstr("fig10")));
+}
+
+TEST_F(Cli, RefusesAGroupOfResultsThatDoesNotExist) {
+  const Result result = run("results --only fig77 --out page.md");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.err, AllOf(HasSubstr("fig77"), HasSubstr("speed")));
+  EXPECT_FALSE(fs::exists(here() / "page.md"));
 }
 
 TEST_F(Cli, MakesTheSameFigureInEveryProcess) {

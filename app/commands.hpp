@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "action_input.hpp"
 #include "arguments.hpp"
@@ -34,6 +35,17 @@ struct ExperimentArguments {
 
 /// `hexagait experiment`: 0 if each claim holds, or fails as it was declared to. @throws InvalidInput
 int experiment_command(const ExperimentArguments& arguments);
+
+/// `hexagait results` as it was typed.
+struct ResultsArguments {
+  std::string out = "docs/results.md";
+  std::string figures = "results";
+  std::vector<std::string> only;  ///< names of experiments, or "speed"; none: all
+  bool short_form = false, quiet = false;
+};
+
+/// `hexagait results`: 0 if each claim holds, or fails as it was declared to. @throws InvalidInput
+int results_command(const ResultsArguments& arguments);
 
 /// `hexagait robot FILE`. @throws InvalidInput
 int robot_command(const std::string& robot, bool json);

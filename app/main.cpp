@@ -106,6 +106,23 @@ void add_experiment(CLI::App& app, ExperimentArguments& a) {
   experiment->add_flag("--quiet", a.quiet, "No progress on stderr");
 }
 
+void add_results(CLI::App& app, ResultsArguments& a) {
+  CLI::App* results =
+      app.add_subcommand("results", "Make the page of all figures and claims again");
+  results->footer(
+      "\nExamples:\n  hexagait results\n  hexagait results --only speed --out speed.md\n\n"
+      "Exit status: 0 every claim holds, or fails within the band that is declared for it; 1 one\n"
+      "does not, or holds unexpectedly; 2 bad usage or input; 130 Ctrl-C.");
+  results->add_option("--out", a.out, "The page")->type_name("FILE.md")->capture_default_str();
+  results->add_option("--figures", a.figures, "Directory of the experiments' figures")
+      ->type_name("DIR")
+      ->capture_default_str();
+  results->add_option("--only", a.only, "An experiment, or speed; may be given several times")
+      ->type_name("GROUP");
+  results->add_flag("--short", a.short_form, "Short forms of the experiments");
+  results->add_flag("--quiet", a.quiet, "No progress on stderr");
+}
+
 void add_sweep(CLI::App& app, SweepArguments& a) {
   CLI::App* sweep = app.add_subcommand("sweep", "Run a grid of trials, on all cores");
   sweep->footer(
@@ -206,6 +223,9 @@ int run(int argc, char** argv) {
   ExperimentArguments experiment;
   add_experiment(app, experiment);
 
+  ResultsArguments results;
+  add_results(app, results);
+
   SweepArguments sweep;
   MergeArguments merge;
   ReportArguments report;
@@ -233,6 +253,7 @@ int run(int argc, char** argv) {
   if (app.got_subcommand("run")) return run_command(run);
   if (app.got_subcommand("check")) return check_command(check);
   if (app.got_subcommand("experiment")) return experiment_command(experiment);
+  if (app.got_subcommand("results")) return results_command(results);
   if (app.got_subcommand("verify")) return verify_command(verify.json, verify.quiet);
   if (app.got_subcommand("sweep")) return sweep_command(sweep);
   if (app.got_subcommand("merge")) return merge_command(merge);

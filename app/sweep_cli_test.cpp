@@ -189,8 +189,8 @@ TEST_F(SweepCli, ReportsNumbersWithoutGnuplot) {
 
 TEST_F(SweepCli, WritesJobFilesThatABashCanRead) {
   for (const std::string scheduler : {"slurm", "parallel", "mpi"}) {
-    const Result result =
-        run("sweep sweep.yaml --emit " + scheduler + " --shards 7 --jobs 2 --out jobs");
+    const Result result = run("sweep sweep.yaml --emit " + scheduler +
+                              " --shards 7 --jobs 2 --trial-timeout 90 --out jobs");
     EXPECT_EQ(result.status, 0) << result.err;
     EXPECT_THAT(result.out, AllOf(HasSubstr(scheduler + ".sh"), HasSubstr("jobs/merged")));
   }
@@ -201,7 +201,8 @@ TEST_F(SweepCli, WritesJobFilesThatABashCanRead) {
   EXPECT_THAT(content(at("jobs/shard.sbatch")),
               HasSubstr("folder=${HEXAGAIT_FOLDER:-'" + here().string() + "'}"));
   EXPECT_THAT(content(at("jobs/shard.sbatch")),
-              AllOf(HasSubstr("--array=1-7 --cpus-per-task=2"), HasSubstr("shards=7")));
+              AllOf(HasSubstr("--array=1-7 --cpus-per-task=2"), HasSubstr("shards=7"),
+                    HasSubstr("--trial-timeout 90")));
 }
 
 // A robot named by a relative path is found from every shard.

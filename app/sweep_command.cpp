@@ -94,7 +94,8 @@ int emit(const SweepArguments& arguments) {
                        .sweep = fs::absolute(arguments.file),
                        .folder = fs::current_path(),
                        .shards = whole("--shards", arguments.shards, kMaxShards),
-                       .jobs = jobs(arguments.jobs, 1)},
+                       .jobs = jobs(arguments.jobs, 1),
+                       .trial_timeout = trial_timeout(arguments.trial_timeout)},
                       arguments.out);
   fmt::print("Job files are written; {} starts them, and the result will be in {}.\n", start,
              (fs::path(arguments.out) / "merged").string());

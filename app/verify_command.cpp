@@ -127,8 +127,12 @@ int verify_command(bool as_json, bool quiet) {
   } else {
     for (const Theorem& theorem : report.theorems) print(theorem);
     const auto holding = std::ranges::count_if(report.theorems, &Theorem::holds);
-    fmt::print("{} of {} theorems hold; {} cases, none sampled.\n", holding, report.theorems.size(),
-               cases(report));
+    fmt::print(
+        "{} of {} theorems hold in {} cases. Each tries all cases within the bounds that it "
+        "states\n"
+        "(legs, step times, duty factors), under the assumptions that it states; lags, which are\n"
+        "real numbers, are tried on a grid. What holds beyond the bounds is proved in theory.md.\n",
+        holding, report.theorems.size(), cases(report));
   }
   return report.holds() ? kOk : kFailed;
 }

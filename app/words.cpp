@@ -131,12 +131,13 @@ std::string in_words(const WalkReport& report) {
   add(text, "gait", gait_state::to_string(report.simulation.gait));
   add(text, "steps", fmt::format("{}; {}", s.steps, gait(s)));
   add(text, "rule 1",
-      fmt::format("broken {} times; two neighbours off the ground for {:.2f} s", s.rule1_violations,
-                  s.neighbour_flight));
+      fmt::format("{} lifts beside a leg off the ground; two neighbours off it for {:.2f} s",
+                  s.rule1_violations, s.neighbour_flight));
   add(text, "feet",
       fmt::format("slip {} mean, {} at the 95th percentile of {} stances; contact "
-                  "lost {} times",
-                  length(s.slip_mean), length(s.slip_p95), s.stances, s.contact_losses));
+                  "lost {} times; legs touch the ground for {:.2f} s",
+                  length(s.slip_mean), length(s.slip_p95), s.stances, s.contact_losses,
+                  s.leg_touch_time));
   add(text, "body",
       fmt::format("height {:.3f} … {:.3f} m, roll up to {:.1f}°, pitch up to {:.1f}°", s.height_min,
                   s.height_max, degrees(s.roll_max), degrees(s.pitch_max)));

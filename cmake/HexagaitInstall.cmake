@@ -118,7 +118,8 @@ install(FILES ${PROJECT_BINARY_DIR}/hexagaitConfig.cmake
 install(DIRECTORY robots actions DESTINATION ${data_dir})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN "hexagait.1" EXCLUDE)
+install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR}
+        PATTERN "hexagait.1" EXCLUDE REGEX "examples/CMakeLists.txt$" EXCLUDE)
 if(HEXAGAIT_TOOLS)
   install(TARGETS hexagait_app)
   install(DIRECTORY sweeps DESTINATION ${data_dir})

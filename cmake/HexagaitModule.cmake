@@ -10,6 +10,33 @@
 function(hexagait_options target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -ffp-contract=off
                          $<$<BOOL:${HEXAGAIT_WERROR}>:-Werror>)
+  get_target_property(precompiled ${target} PRECOMPILE_HEADERS_REUSE_FROM)
+  if(HEXAGAIT_PRECOMPILE AND NOT precompiled AND NOT target MATCHES "_headers")
+    hexagait_precompile(${target})
+  endif()
+endfunction()
+
+# What most of our sources include of others is read once: a third of the time that it takes to
+# compile one. For users only: it hides what a file forgets to include.
+function(hexagait_precompile target)
+  get_target_property(pic ${target} POSITION_INDEPENDENT_CODE)
+  set(headers hexagait_headers)
+  if(pic)
+    set(headers hexagait_pic_headers)
+  endif()
+  if(NOT TARGET ${headers})
+    file(CONFIGURE OUTPUT ${headers}.cpp CONTENT "")
+    add_library(${headers} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/${headers}.cpp)
+    target_compile_features(${headers} PRIVATE cxx_std_20)
+    target_link_libraries(${headers} PRIVATE Eigen3::Eigen)
+    target_precompile_headers(${headers} PRIVATE <Eigen/Geometry> <algorithm> <cmath> <filesystem>
+                              <functional> <optional> <ranges> <span> <string> <vector>)
+    if(pic)
+      set_target_properties(${headers} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    endif()
+    hexagait_options(${headers})
+  endif()
+  target_precompile_headers(${target} REUSE_FROM ${headers})
 endfunction()
 
 function(hexagait_module name)

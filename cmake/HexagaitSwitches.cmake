@@ -40,5 +40,6 @@ hexagait_switch(HEXAGAIT_TESTS "The tests; need GoogleTest, RapidCheck, NLopt an
                 ${PROJECT_IS_TOP_LEVEL} HEXAGAIT_SWEEPS HEXAGAIT_VERIFY)
 hexagait_switch(HEXAGAIT_BENCH "The benchmarks; need Google Benchmark" OFF HEXAGAIT_SWEEPS)
 hexagait_switch(HEXAGAIT_FUZZ "The fuzzers of the loaders; need clang" OFF HEXAGAIT_ACTIONS)
+option(HEXAGAIT_PRECOMPILE "Precompiled headers: builds faster, hides what a file forgets to include" OFF)
 option(HEXAGAIT_WERROR "Treat warnings as errors" OFF)
 hexagait_check_switches()

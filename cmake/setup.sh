@@ -4,11 +4,14 @@
 # What ./run and ./check have in common; sourced by both, from the project's root.
 
 kLogs=build/log
-kBuildPackages=(
-  build-essential cmake ninja-build ccache pkg-config
+kRunPackages=(
+  build-essential cmake ninja-build pkg-config
   libbox2d-dev libeigen3-dev libfmt-dev libode-dev librandom123-dev liburdfdom-dev
   libyaml-cpp-dev                                               # the library
   libboost-math-dev libcli11-dev nlohmann-json3-dev gnuplot-nox  # the hexagait command
+)
+kBuildPackages=(
+  "${kRunPackages[@]}" ccache
   libbenchmark-dev libgmock-dev libgtest-dev libnlopt-dev liborocos-kdl-dev
   librapidcheck-dev                                             # benchmarks and tests
 )
@@ -16,6 +19,8 @@ kCheckPackages=(clang clang-format clang-tidy libclang-rt-14-dev universal-ctags
 
 export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1  # one clone finds what another has compiled
 export CCACHE_SLOPPINESS=pch_defines,time_macros  # or it keeps nothing that has precompiled headers
+# The user preset takes ccache where it is; the others ask for it.
+! command -v ccache >/dev/null || export CMAKE_CXX_COMPILER_LAUNCHER=ccache
 
 exec 3>&1  # for progress, from inside a step
 

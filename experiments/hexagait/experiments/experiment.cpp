@@ -21,6 +21,10 @@ Manifest run(const Experiment& experiment, const ExperimentContext& context, con
   figures::StagedFiles files(directory);
   Manifest manifest{
       experiment.name, experiment.title, context.short_form, experiment.run(context, files), {}};
+  const Outcome& outcome = manifest.outcome;
+  manifest.provenance = outcome.walk ? recording::provenance(outcome.walk->robot, *context.robot,
+                                                             outcome.walk->simulation)
+                                     : outcome.provenance.value_or(recording::provenance());
   if (context.stop != nullptr && context.stop->load()) return manifest;
 
   // A PDF carries the date, so its bytes differ from run to run.

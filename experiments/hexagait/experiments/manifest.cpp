@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <hexagait/experiments/manifest.hpp>
+#include <hexagait/recording/detail/provenance_json.hpp>
 #include <hexagait/recording/detail/walk_json.hpp>
-#include <hexagait/recording/version.hpp>
 
 namespace hexagait::experiments {
 namespace {
@@ -87,10 +87,11 @@ std::string to_json(const Manifest& manifest) {
   for (const Manifest::Output& output : manifest.outputs)
     outputs[output.name] = {{"fnv1a", recording::hex(output.hash)}};
   const Outcome& outcome = manifest.outcome;
-  Json json{{"schema", recording::kJsonSchema}, {"experiment", manifest.experiment},
-            {"title", manifest.title},          {"short_form", manifest.short_form},
-            {"version", recording::kVersion},   {"revision", recording::kRevision},
-            {"compiler", recording::kCompiler}};
+  Json json{{"schema", recording::kJsonSchema},
+            {"experiment", manifest.experiment},
+            {"title", manifest.title},
+            {"short_form", manifest.short_form},
+            {"provenance", recording::json(manifest.provenance)}};
   json["configuration"] =
       outcome.walk ? recording::configuration(*outcome.walk) : settings_json(outcome);
   json["verdicts"] = verdicts_json(outcome.verdicts);

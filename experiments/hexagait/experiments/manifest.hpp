@@ -5,6 +5,7 @@
 #include <hexagait/experiments/claim.hpp>
 #include <hexagait/figures/table.hpp>
 #include <hexagait/recording/json.hpp>
+#include <hexagait/recording/provenance.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,6 +18,8 @@ struct Outcome {
   std::optional<recording::WalkReport> walk = {};  ///< if it is one
   std::vector<Verdict> verdicts = {};
   std::vector<std::pair<std::string, std::string>> settings = {};  ///< if it is no walk
+  /// Model, physics and controller, if it is no walk but has some.
+  std::optional<recording::Provenance> provenance = {};
   figures::Table table = {};     ///< its numbers, for the page; may be empty
   double compute_seconds = 0.0;  ///< time that the runs took, without drawing; 0: not measured
 };
@@ -31,12 +34,13 @@ struct Manifest {
   bool short_form = false;
   Outcome outcome;
   std::vector<Output> outputs;
+  recording::Provenance provenance = {};
 
   /// There are claims, and each holds, fails as it was declared to, or is left to the full length.
   [[nodiscard]] bool is_accounted_for() const;
 };
 
-/// The manifest as one JSON object: version, compiler, configuration, results, hashes. Everything
+/// The manifest as one JSON object: provenance, configuration, verdicts, results, hashes. Everything
 /// that depends on the machine's speed is under "timing".
 [[nodiscard]] std::string to_json(const Manifest& manifest);
 

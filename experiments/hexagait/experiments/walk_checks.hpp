@@ -12,11 +12,12 @@ namespace hexagait::experiments {
 /// itself with a fault.
 [[nodiscard]] std::vector<SafetyCheck> no_fall(std::span<const walk::Summary> walks);
 
-/// The same; and rule 1: no leg is lifted beside one that is off the ground, and two neighbours are
-/// off it together for no more than a share of any walk's time, as a foot that stands can lose its
-/// hold.
+/// The same; and rule 1, by where the feet truly are. On flat ground with a constant heading it is
+/// never broken. Where feet bounce or slide off edges, a foot that the controller takes for support
+/// may be off the ground: then no walk breaks it more than so often, or for so long.
 [[nodiscard]] std::vector<SafetyCheck> no_fall_and_rule_1(std::span<const walk::Summary> walks,
-                                                          double most_flight_percent = 0.0);
+                                                          double most_flight_percent = 0.0,
+                                                          double most_lifts = 0.0);
 
 /// How many of them, as a share with its interval.
 template <class Range, class Predicate>

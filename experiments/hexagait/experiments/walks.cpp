@@ -170,7 +170,7 @@ Verdict judge_terrain(std::span<const Walk> walks) {
                      fmt::format("worst walk {:.2f} cm", statistics::greatest(lateral)));
   return {.claim = fmt::format("{} m of {}, {} seeds", walks.front().simulation.trial.distance,
                                walks.front().group, walks.size()),
-          .safety = no_fall(summaries(walks)),
+          .safety = no_fall_and_rule_1(summaries(walks), 5.0, 3.0),
           .checks = {{arrived, exactly(100.0)}, Check::of_interval(off, at_most(3.0))},
           .remark = fmt::format("{:.3f} m/s", statistics::estimate(speed).mean)};
 }

@@ -100,6 +100,7 @@ Json results(const walk::Summary& s) {
       {"tripod_after_steps", json_of(s.tripod_after_steps)},
       {"rule1_violations", s.rule1_violations},
       {"neighbour_flight_s", s.neighbour_flight},
+      {"leg_touch_s", s.leg_touch_time},
       {"contact_losses", s.contact_losses},
       {"fell", s.fell},
       {"stuck", s.stuck},

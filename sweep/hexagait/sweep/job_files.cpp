@@ -31,7 +31,7 @@ shards={shards}
 # shard K: runs the K-th of them, or what an earlier run of it left to do.
 shard() {{
   (cd "$folder" && "$hexagait" sweep "$sweep" --shard "$1/$shards" --jobs {jobs} \
-    --out "$results/shard-$1" --quiet --yes)
+    --out "$results/shard-$1" --quiet --yes{timeout})
 }}
 merge() {{
   "$hexagait" merge $(seq -f 'shard-%.0f' "$shards") --out merged
@@ -39,9 +39,13 @@ merge() {{
 )";
 
 std::string preamble(const JobPlan& plan) {
-  return fmt::format(fmt::runtime(kPreamble), fmt::arg("program", quoted(plan.program)),
-                     fmt::arg("sweep", quoted(plan.sweep)), fmt::arg("folder", quoted(plan.folder)),
-                     fmt::arg("shards", plan.shards), fmt::arg("jobs", plan.jobs));
+  return fmt::format(
+      fmt::runtime(kPreamble), fmt::arg("program", quoted(plan.program)),
+      fmt::arg("sweep", quoted(plan.sweep)), fmt::arg("folder", quoted(plan.folder)),
+      fmt::arg("shards", plan.shards), fmt::arg("jobs", plan.jobs),
+      fmt::arg("timeout", plan.trial_timeout > 0.0
+                              ? fmt::format(" --trial-timeout {}", plan.trial_timeout)
+                              : ""));
 }
 
 class Script {

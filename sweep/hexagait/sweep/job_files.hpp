@@ -21,7 +21,8 @@ struct JobPlan {
   std::string sweep;    ///< absolute path of the sweep file
   std::string folder;   ///< absolute path of the directory to which paths in it are relative
   std::uint64_t shards = 1;
-  int jobs = 1;  ///< processes per shard
+  int jobs = 1;                ///< processes per shard
+  double trial_timeout = 0.0;  ///< as that of RunOptions [s]
 };
 
 /// "slurm", "parallel" or "mpi". @throws InvalidInput

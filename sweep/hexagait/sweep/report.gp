@@ -8,7 +8,7 @@ set bmargin at screen y(0.11); set tmargin at screen y(0.87)
 set key at graph 1.03, graph 1 left top Left reverse samplen 1.5 noenhanced
 set ylabel y_label noenhanced
 set offsets graph 0.04, graph 0.04, graph 0.05, graph 0.05
-set bars 0.6
+set bars 0.6; set autoscale xfix
 if (y_from < y_to) set yrange [y_from:y_to]
 if (over_roughness) {
   set xlabel x_label noenhanced

@@ -39,9 +39,8 @@ Theorem literal_reading(const Rules& rules, const Scope&) {
   theorem.convention =
       "Six legs. One update of both from the same raw memory and the same feet: every raw memory, "
       "every set of legs in the air that keeps rule 1, lags that differ by ±0.8 or ±1.5 tolerances "
-      "from leg to leg. The same legs may step and both remember the same, so the next feet are "
-      "the "
-      "same, and so on by induction.";
+      "from leg to leg: a grid, not all lags that there can be. The same legs may step and both "
+      "remember the same, so the next feet are the same, and so on by induction.";
   theorem.table.columns = {"raw", "sets_in_the_air", "rows_of_lags", "adjusted_in_vain"};
 
   GaitParams literal, none;

@@ -12,13 +12,14 @@ namespace {
 
 constexpr double kFallTilt = std::numbers::pi / 3.0;
 
-// Who lies down comes to the ground slower than this, who falls faster: from 2 cm on [m/s].
+// A base that touches the ground faster than this has fallen; a controlled descent is slower. A
+// free fall of 2 cm reaches it [m/s].
 constexpr double kFallSpeed = 0.6;
 
-// A foot that leaves the ground for less than this still counts: nothing tips in that time [s].
+// A foot that leaves the ground for less than this still counts as standing: too short to tip [s].
 constexpr double kBounce = 0.05;
 
-// Watches with the truth.
+// Judges an action by ground truth.
 class ActionReferee {
  public:
   ActionReferee(const RobotModel& model, const GroundTruth& truth)
@@ -152,7 +153,7 @@ ActionSummary run_action(ActionRunner& runner, Plant& plant, const GroundTruth& 
            (!observer || observer(record, truth));
   };
 
-  // The action, and after it: does what it left stand?
+  // The action, then a rest: does the robot still stand?
   const auto most = std::lround(options.seconds / dt), rest = std::lround(options.rest / dt);
   long ticks = 0;
   bool goes_on = true;

@@ -13,7 +13,8 @@ namespace {
 
 using footstep_gen::TickRecord;
 
-constexpr double kSettling = 0.02;  // a stance younger than this may still lose contact [s]
+constexpr double kBounce = 0.05;         // a foot off the ground for less goes on standing [s]
+constexpr double kSettling = 0.02;       // a support younger than this may still lose contact [s]
 constexpr double kFallTilt = std::numbers::pi / 3.0;
 
 PlanarPose in_plane(const Pose& X_WB) { return {roll_pitch_yaw(X_WB.R).z(), X_WB.p.head<2>()}; }
@@ -42,10 +43,14 @@ Referee::Referee(const RobotModel& model, const GroundTruth& truth, double contr
       start_(in_plane(truth.X_WB)),
       path_(start_),
       stances_(model.num_legs()),
+      slip_before_touch_(model.num_legs(), Vector3::Zero()),
+      supports_(model.num_legs()),
       lift_time_(model.num_legs(), 0.0),
       yaw_before_(start_.angle) {
-  for (LegId i = 0; i < model.num_legs(); ++i)
-    stances_[i] = {.counting = true, .slip_before = truth.feet[i].slip};
+  for (LegId i = 0; i < model.num_legs(); ++i) {
+    stances_[i] = {.stands = truth.feet[i].in_contact, .slip_before = truth.feet[i].slip};
+    slip_before_touch_[i] = truth.feet[i].slip;
+  }
   summary_.height_min = summary_.height_max = truth.X_WB.p.z();
   summary_.state_hash = kFnv1aBasis;
 }
@@ -54,7 +59,8 @@ void Referee::observe(const TickRecord& record, const GroundTruth& truth) {
   ++ticks_;
   follow_path(record, truth);
   watch_posture(truth);
-  watch_stances(record, truth);
+  watch_stances(truth);
+  watch_support(record, truth);
   watch_rule1(record, truth);
   watch_progress(record);
   summary_.state_hash = state_hash(*model_, truth, record.measurement, summary_.state_hash);
@@ -98,36 +104,53 @@ void Referee::watch_posture(const GroundTruth& truth) {
   if (std::isfinite(margin)) margins_.push_back(margin);
 }
 
-void Referee::watch_stances(const TickRecord& record, const GroundTruth& truth) {
+// A stance is from the first touch to the last one before the foot is off the ground for kBounce.
+void Referee::watch_stances(const GroundTruth& truth) {
   for (LegId i = 0; i < model_->num_legs(); ++i) {
-    const LegLane& lane = record.legs[i];
     const FootTruth& foot = truth.feet[i];
     Stance& stance = stances_[i];
+    if (foot.in_contact) {
+      if (!stance.stands) stance = {.stands = true, .slip_before = slip_before_touch_[i]};
+      stance.off = 0.0;
+    } else {
+      stance.off += dt_;
+    }
+    if (stance.stands && stance.off > kBounce) {
+      slips_.push_back((foot.slip - stance.slip_before).norm());
+      stance.stands = false;
+    }
+    slip_before_touch_[i] = foot.slip;
+  }
+  summary_.leg_touch_time += truth.leg_touches_ground ? dt_ : 0.0;
+}
+
+// What the controller takes for support, and is none.
+void Referee::watch_support(const TickRecord& record, const GroundTruth& truth) {
+  for (LegId i = 0; i < model_->num_legs(); ++i) {
+    const LegLane& lane = record.legs[i];
+    Support& support = supports_[i];
     if (lane.touched_down) {
-      stance = {.counting = true, .slip_before = foot.slip};
+      support = {};
       swing_times_.push_back(truth.time - lift_time_[i]);
     }
     if (record.lifts.contains(i)) lift_time_[i] = truth.time;
-    stance.age += dt_;
-
-    if (lane.phase == LegPhase::support && lane.confirmed) {
-      const bool lost = !foot.in_contact && stance.age > kSettling;
-      if (lost && !stance.lost) ++summary_.contact_losses;
-      stance.lost = lost;
-    } else if (stance.counting && lane.phase != LegPhase::unload && !foot.in_contact) {
-      slips_.push_back((foot.slip - stance.slip_before).norm());
-      stance.counting = false;
-    }
+    support.age += dt_;
+    if (lane.phase != LegPhase::support || !lane.confirmed) continue;
+    const bool lost = !truth.feet[i].in_contact && support.age > kSettling;
+    if (lost && !support.lost) ++summary_.contact_losses;
+    support.lost = lost;
   }
 }
 
 void Referee::watch_rule1(const TickRecord& record, const GroundTruth& truth) {
-  for (LegId i = 0; i < model_->num_legs(); ++i)
+  const int n = model_->num_legs();
+  for (LegId i = 0; i < n; ++i)
     if (record.lifts.contains(i)) lifts_.push_back({i, truth.time});
   summary_.steps += record.lifts.size();
-  summary_.rule1_violations += record.rule1_violations.size();
-  const LegSet in_air = without(LegSet::all(model_->num_legs()), feet_in_contact(truth));
-  if (gait_state::breaks_rule_1(in_air, model_->num_legs())) summary_.neighbour_flight += dt_;
+  const LegSet in_air = without(LegSet::all(n), feet_in_contact(truth));
+  const LegSet beside = gait_state::neighbours_of(in_air | record.lifts, n);
+  summary_.rule1_violations += (record.lifts & beside).size();
+  if (gait_state::breaks_rule_1(in_air, n)) summary_.neighbour_flight += dt_;
 }
 
 void Referee::watch_progress(const TickRecord& record) {
@@ -154,9 +177,15 @@ Summary Referee::summary() const {
   s.odometry_position = (odometry.shift - truth_.p.head<2>()).norm();
   s.odometry_heading = wrap_angle(odometry.angle - in_plane(truth_).angle);
 
-  s.stances = static_cast<int>(slips_.size());
-  for (const double slip : slips_) s.slip_mean += slip / static_cast<double>(slips_.size());
-  s.slip_p95 = percentile(slips_, 0.95);
+  // Stances that go on slide too.
+  std::vector<double> slips = slips_;
+  for (LegId i = 0; i < stances_.size(); ++i)
+    if (stances_[i].stands)
+      slips.push_back((slip_before_touch_[i] - stances_[i].slip_before).norm());
+  s.stances = static_cast<int>(slips.size());
+  s.slip_mean = slips.empty() ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+  for (const double slip : slips) s.slip_mean += slip / static_cast<double>(slips.size());
+  s.slip_p95 = percentile(slips, 0.95);
   s.margin_min = percentile(margins_, 0.0);
   s.margin_p5 = percentile(margins_, 0.05);
   s.tripod_after_steps =

@@ -40,17 +40,22 @@ class Referee {
   [[nodiscard]] Summary summary() const;
 
  private:
-  /// A leg's present stance, and how long it has been off contact in it.
+  /// A foot's present stance, by the truth alone.
   struct Stance {
-    bool counting = false;
-    Vector3 slip_before = Vector3::Zero();
-    double age = 0.0;
+    bool stands = false;
+    Vector3 slip_before = Vector3::Zero();  ///< reading of its slip before the first touch [m]
+    double off = 0.0;                       ///< time since it last touched [s]
+  };
+  /// A leg's present support, as the controller has it.
+  struct Support {
+    double age = 0.0;  ///< [s]
     bool lost = false;
   };
 
   void follow_path(const footstep_gen::TickRecord& record, const GroundTruth& truth);
   void watch_posture(const GroundTruth& truth);
-  void watch_stances(const footstep_gen::TickRecord& record, const GroundTruth& truth);
+  void watch_stances(const GroundTruth& truth);
+  void watch_support(const footstep_gen::TickRecord& record, const GroundTruth& truth);
   void watch_rule1(const footstep_gen::TickRecord& record, const GroundTruth& truth);
   void watch_progress(const footstep_gen::TickRecord& record);
 
@@ -65,6 +70,8 @@ class Referee {
   double lateral_sum_ = 0.0;
   long ticks_ = 0;
   LegArray<Stance> stances_;
+  LegArray<Vector3> slip_before_touch_;
+  LegArray<Support> supports_;
   std::vector<double> slips_, margins_, swing_times_;
   LegArray<double> lift_time_;
   std::vector<TimedLift> lifts_;

@@ -14,7 +14,7 @@ constexpr double kStraight = 1e-9;
 }  // namespace
 
 void ReferencePath::follow(const heading_control::Heading& heading) {
-  // The ideal heading of a turn in place is wherever it has got to.
+  // The ideal heading of a turn in place is the base's heading at its end.
   const bool was_spinning = moving_ && std::isinf(curvature_);
   start_ = ideal_;
   if (was_spinning) start_.angle = last_.angle;

@@ -7,29 +7,28 @@
 
 namespace hexagait::walk {
 
-/// The curve that was commanded, drawn on the true ground: the referee's, so it shares no code with
-/// the controller's tracker and knows the true pose.
+/// The commanded curve in the world, for the referee: uses the true pose and shares no code with
+/// the controller's path tracker.
 ///
-/// Anchored once, at the true pose of the first command; each later arc starts at the ideal end of
-/// the one before, which is the point of its curve nearest to the base's true origin. The ideal
-/// heading at a point is the curve's tangent less the crab angle; during a turn in place it is the
-/// base's own, and the ideal place is where the turn began.
+/// The first curve starts at the true pose of the base. Each later one starts at the ideal pose at
+/// that time: the point of the previous curve nearest to the base's true origin. The ideal heading
+/// at a point is the tangent minus the crab angle. In a turn in place the ideal position is where
+/// the turn began, and the ideal heading is the base's own.
 class ReferencePath {
  public:
   struct Deviation {
-    double lateral =
-        0.0;  ///< distance of the base's origin from the curve [m], positive to its left
-    double heading = 0.0;   ///< true less ideal heading [rad]; 0 in a turn in place
-    double progress = 0.0;  ///< along this curve since its start [m]; of a turn in place, 0
+    double lateral = 0.0;   ///< distance of the base's origin from the curve, > 0 to its left [m]
+    double heading = 0.0;   ///< true minus ideal heading [rad]; 0 in a turn in place
+    double progress = 0.0;  ///< along this curve since its start [m]; 0 in a turn in place
     double turned = 0.0;    ///< angle turned since its start [rad]
   };
 
   explicit ReferencePath(const PlanarPose& X_WB) : ideal_(X_WB), start_(X_WB), last_(X_WB) {}
 
-  /// A new command, given while the base is at the pose last passed to deviation().
+  /// Starts a new curve; the base is at the pose last passed to deviation().
   void follow(const heading_control::Heading& heading);
 
-  /// Where the base is, seen from the curve.
+  /// Where the base is relative to the curve.
   Deviation deviation(const PlanarPose& X_WB);
 
   /// The ideal pose at the last deviation().

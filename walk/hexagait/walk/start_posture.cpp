@@ -11,10 +11,10 @@
 namespace hexagait::walk {
 namespace {
 
-constexpr double kClearance = 0.001;  // of what lies above the ground [m]
-constexpr int kMaxDraws = 10'000;     // of a leg
+constexpr double kClearance = 0.001;  // of legs above the ground [m]
+constexpr int kMaxDraws = 10'000;     // per leg
 
-// How far a shape reaches down from its middle, turned by R [m].
+// How far a shape, rotated by R, reaches below its centre [m].
 double reach_down(const Shape& shape, const Matrix3& R) {
   const Vector3& size = shape.size;
   switch (shape.kind) {
@@ -30,7 +30,7 @@ double reach_down(const Shape& shape, const Matrix3& R) {
   return 0.0;
 }
 
-// Lowest point of a link whose frame is at X_BL, in the base [m].
+// Height of the lowest point of a link at X_BL, in the base frame [m].
 double lowest(const LinkModel& link, const Pose& X_BL) {
   double z = std::numeric_limits<double>::infinity();
   for (const Shape& shape : link.shapes) {

@@ -8,11 +8,11 @@
 
 namespace hexagait::walk {
 
-/// How a robot is found by an action.
+/// How the robot starts an action.
 enum class StartKind : std::uint8_t {
   standing,  ///< in the nominal stance
   sitting,   ///< belly and feet on level ground, the feet where they are in the nominal stance
-  lying,     ///< belly on level ground, the legs anyhow above it
+  lying,     ///< belly on level ground, the legs at random above it
 };
 
 struct StartPosture {
@@ -22,13 +22,13 @@ struct StartPosture {
       -std::numeric_limits<double>::infinity();  ///< of the base above the ground, at least [m]
 };
 
-/// A posture to start from. Legs that lie are random: each joint uniform within its limits, drawn
-/// until the whole leg is above the ground.
-/// @throws InvalidInput  if the robot can't lie on its belly: its legs are in the way
+/// A posture to start from. The legs of a lying robot are random: each joint uniform within its
+/// limits, redrawn until the whole leg is above the ground.
+/// @throws InvalidInput  if a leg is in the way of lying on the belly
 [[nodiscard]] StartPosture start_posture(const RobotModel& model, StartKind kind,
                                          std::uint64_t seed = 1);
 
-/// How far the lowest point of the base is below its origin [m].
+/// Distance of the base's lowest point below its origin [m].
 [[nodiscard]] double belly_depth(const RobotModel& model);
 
 }  // namespace hexagait::walk

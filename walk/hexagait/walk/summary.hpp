@@ -8,7 +8,8 @@
 
 namespace hexagait::walk {
 
-/// How well a robot walked, by ground truth. What was not computed is 0.
+/// How well a robot walked, by ground truth. What was not computed is 0; what is a statistic of
+/// nothing is NaN.
 struct Summary {
   double seconds = 0.0;   ///< walked [s]
   double distance = 0.0;  ///< along the commanded curves, of the base's origin [m]
@@ -21,10 +22,11 @@ struct Summary {
   double odometry_position = 0.0;               ///< |odometry − truth| at the end [m]
   double odometry_heading = 0.0;                ///< the same of the yaw, signed [rad]
 
-  /// Slip of a stance: |∫ v dt| of the foot's material contact point along the ground, from the
-  /// moment the leg counts as support to the moment its foot is off the ground again [m].
+  /// Slip of a stance: |∫ v dt| of the foot's material contact point along the ground, from its
+  /// first touch to the last one before it is off the ground for 50 ms, or to the end of the walk
+  /// [m]. Bounces at touchdown, and dragging at lift-off, are in it.
   double slip_mean = 0.0, slip_p95 = 0.0;
-  int stances = 0;  ///< completed
+  int stances = 0;  ///< all, those that had not ended included
 
   /// Stability margin of the centre of mass in the true support polygon, negative outside [m].
   /// Ticks without any foot on the ground have none.
@@ -35,9 +37,11 @@ struct Summary {
   int steps = 0;                          ///< lifts commanded
   std::optional<int> tripod_after_steps;  ///< see first_tripod_gait()
 
-  int rule1_violations =
-      0;  ///< lifts commanded while a neighbour was, as far as known, not in support
-  double neighbour_flight = 0.0;  ///< time in which two neighbours were in fact off the ground [s]
+  /// Lifts commanded while a neighbour was in truth off the ground, or was lifted with it. What the
+  /// controller knew does not matter.
+  int rule1_violations = 0;
+  double neighbour_flight = 0.0;  ///< time in which two neighbours were off the ground [s]
+  double leg_touch_time = 0.0;    ///< in which a leg touched the ground, not with its foot [s]
   int contact_losses = 0;  ///< times a leg in support lost all contact, after its first 20 ms
   bool fell = false;       ///< the base touched the ground, or tilted by more than 60°
   bool stuck = false;      ///< no 5 cm (or 0.05 rad of a spin) of progress in 10 s

@@ -163,11 +163,14 @@ Outcome fg16_fig6(const ExperimentContext& context, figures::StagedFiles& files)
   }
   draw(files, context, climbs, blocks.front());
   return {.verdicts = judge(climbs, *context.robot),
-          .settings = {
-              {"robot", context.robot->name},
-              {"terrain", kTerrain},
-              {"trials", std::to_string(climbs.size())},
-              {"push", fmt::format("{:.0f} N for {} s", kPushes.front().norm(), kPushSeconds)}}};
+          .settings = {{"robot", context.robot->name},
+                       {"terrain", kTerrain},
+                       {"trials", std::to_string(climbs.size())},
+                       {"push",
+                        fmt::format("{:.0f} N for {} s", kPushes.front().norm(), kPushSeconds)}},
+         .provenance =
+             recording::provenance(context.robot->name, *context.robot, recording::Simulation{})
+};
 }
 
 }  // namespace hexagait::experiments

@@ -130,7 +130,10 @@ Outcome fg16_fig7(const ExperimentContext& context, figures::StagedFiles& files)
           .settings = {{"robot", context.robot->name},
                        {"terrain", kTerrain},
                        {"seed", std::to_string(kSeed)},
-                       {"yaw_error_rad", fmt::format("{}", kYawError)}}};
+                       {"yaw_error_rad", fmt::format("{}", kYawError)}},
+         .provenance =
+             recording::provenance(context.robot->name, *context.robot, recording::Simulation{})
+};
 }
 
 }  // namespace hexagait::experiments
