@@ -187,7 +187,8 @@ TEST_F(Cli, DrawsAPreviewWithoutSimulatingAndAPlotOfWhatHappened) {
   EXPECT_EQ(run("run height --quiet --plot b.svg").status, 0);
   for (const char* stem : {"a", "b"}) {
     for (const char* ending : {".svg", ".gp", "-base.csv", "-feet.csv", "-steps.csv"})
-      EXPECT_GT(fs::file_size(here() / (std::string(stem) + ending)), 30U) << stem << ending;
+      EXPECT_GT(std::ranges::count(content(here() / (std::string(stem) + ending)), '\n'), 1)
+          << stem << ending;
     EXPECT_THAT(content(here() / (std::string(stem) + ".svg")),
                 AllOf(HasSubstr("From above"), HasSubstr("Stability margin")));
   }

@@ -155,7 +155,8 @@ TEST_F(Cli, RefusesOutputsThatWouldOverwriteEachOther) {
 TEST_F(Cli, NamesEveryFileThatItWrites) {
   const Result result = run("walk --robot genghis2d --seconds 2 --plot w.svg --trace t.csv --json");
   std::set<std::string> named, written;
-  for (const auto& file : nlohmann::json::parse(result.out)["files"]) named.insert(file);
+  const auto json = nlohmann::json::parse(result.out);
+  for (const auto& file : json["files"]) named.insert(file);
   for (const auto& entry : fs::directory_iterator(here())) written.insert(entry.path().filename());
   EXPECT_EQ(named, written);
   EXPECT_THAT(run("walk --robot genghis2d --seconds 2 --plot w.svg").out, HasSubstr("w-body.csv"));

@@ -70,11 +70,4 @@ void draw_figure(StagedFiles& files, const Figure& figure, const Variables& vari
   }
 }
 
-void draw_figure(StagedFiles& files, const Figure& figure, int width, int height,
-                 const std::string& commands) {
-  files.write(figure.stem + ".gp",
-              figure_preamble(figure.stem + figure.suffix, width, height) + commands);
-  run_gnuplot(files.staging(), figure.stem + ".gp", figure.stem + figure.suffix);
-}
-
 }  // namespace hexagait::figures

@@ -46,8 +46,4 @@ class Variables {
 void draw_figure(StagedFiles& files, const Figure& figure, const Variables& variables,
                  std::string_view script);
 
-/// The same with the old preamble, for scripts that are no files yet.
-void draw_figure(StagedFiles& files, const Figure& figure, int width, int height,
-                 const std::string& commands);
-
 }  // namespace hexagait::figures

@@ -58,52 +58,17 @@ void name_fonts(const fs::path& svg) {
 // gnuplot does not notice that the disk is full.
 void require_whole(const fs::path& figure) {
   const std::string suffix = figure.extension();
-  const std::string end = suffix == ".svg" ? "</svg>" : suffix == ".pdf" ? "%%EOF" : "IEND";
+  const std::string end = suffix == ".svg"   ? "</svg>"
+                          : suffix == ".pdf" ? "%%EOF"
+                          : suffix == ".gif" ? ";"  // the trailer
+                                             : "IEND";
   std::ifstream file(figure, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (text.rfind(end) == std::string::npos)
+  if (suffix == ".gif" ? !text.ends_with(end) : text.rfind(end) == std::string::npos)
     throw std::system_error(
         std::make_error_code(std::errc::io_error),
         "gnuplot left " + figure.filename().string() + " incomplete; is the disk full?");
 }
-
-constexpr const char* kTerminals = R"(
-# The suffix of the file chooses the terminal.
-suffix = figure[strlen(figure)-2:strlen(figure)]
-font = "DejaVu Sans"
-if (suffix eq "png") set terminal pngcairo size width, height font font.",10.5" enhanced rounded
-if (suffix eq "svg") set terminal svg size width, height font font.",14" enhanced rounded \
-    background "white"
-if (suffix eq "pdf") set terminal pdfcairo size width/100.0*1.0in, height/100.0*1.0in \
-    font font.",10.5" enhanced rounded
-# SVG counts fonts in pixels, the others in points.
-sized(style, points) = sprintf("%s%s,%g", font, style, suffix eq "svg" ? points/0.75 : points)
-set output figure
-set encoding utf8
-set datafile separator ","
-set datafile missing ""
-
-# Palette: one accent for what happened, grey for what was asked, two quiet colours for the sides.
-ink = "#1d2b36"; grey = "#8c99a5"; pale = "#e3e8ec"; accent = "#c4472b"
-left_side = "#2f6f9f"; right_side = "#c99a2e"; earth = "#b9a88f"
-# Shades of a gait state's type, A (1) … D (4); a gait diagram's legend of them begins at the share
-# legend_x of the graph and goes on by legend_step.
-type_shade(k) = k == 4 ? 0x5d7a8c : k == 3 ? 0x93a9b7 : k == 2 ? 0xbccad4 : k == 1 ? 0xdfe6eb : 0xffffff
-gait_legend = 'do for [k=1:4] { \
-  set label 10+k "■" at graph legend_x+legend_step*k, graph 1 offset 0, 0.9 left \
-      textcolor rgb type_shade(k); \
-  set label 20+k "ABCD"[k:k] at graph legend_x+legend_step*(k+0.4), graph 1 offset 0, 0.9 left \
-      textcolor rgb ink font sized("", 9) }; \
-  set label 10 "type of state" at graph legend_x+0.8*legend_step, graph 1 offset 0, 0.9 right \
-      textcolor rgb ink font sized("", 9)'
-set border 3 lc rgb grey lw 0.8
-set tics nomirror scale 0.5 textcolor rgb ink
-set grid lc rgb pale lw 0.8 lt 1
-set title textcolor rgb ink
-set xlabel textcolor rgb ink
-set ylabel textcolor rgb ink
-set key textcolor rgb ink
-)";
 
 }  // namespace
 
@@ -126,26 +91,11 @@ void run_gnuplot(const fs::path& directory, const std::string& script, const std
   throw std::runtime_error(fmt::format("gnuplot could not draw {}:\n{}", figure, said));
 }
 
-void draw_figure(StagedFiles& files, const std::string& stem) {
-  for (const char* suffix : {".svg", ".pdf", ".png"}) {
-    files.expect(stem + suffix);
-    run_gnuplot(files.staging(), stem + ".gp", stem + suffix);
-  }
-}
-
 std::string quoted(const std::string& text) {
   std::string result = "'";
   for (const char letter : text)
     result.append(letter == '\'' ? 2 : 1, letter == '\n' ? ' ' : letter);
   return result + "'";
-}
-
-std::string figure_preamble(const std::string& figure, int width, int height) {
-  return fmt::format(
-             "# gnuplot -e \"figure='other.svg'\" draws it as .svg, .pdf or .png.\n"
-             "if (!exists(\"figure\")) figure = {}\nwidth = {}; height = {}\n",
-             quoted(figure), width, height) +
-         kTerminals;
 }
 
 }  // namespace hexagait::figures

@@ -16,14 +16,7 @@ void require_gnuplot();
 void run_gnuplot(const std::filesystem::path& directory, const std::string& script,
                  const std::string& figure);
 
-/// Draws STEM.svg, STEM.pdf and STEM.png by the staged script STEM.gp.
-void draw_figure(StagedFiles& files, const std::string& stem);
-
 /// A text as a gnuplot string, in single quotes.
 [[nodiscard]] std::string quoted(const std::string& text);
-
-/// The first lines of every script: `figure` unless it is given, the terminal by its suffix, and
-/// the palette. Sizes are in pixels of a PNG.
-[[nodiscard]] std::string figure_preamble(const std::string& figure, int width, int height);
 
 }  // namespace hexagait::figures

@@ -60,8 +60,8 @@ void StagedFiles::write(const std::string& name, std::string_view text) {
   file.write(text.data(), static_cast<std::streamsize>(text.size()));
   file.close();
   if (!file)
-    throw InvalidInput(
-        fmt::format("can't write '{}': {}", (directory_ / name).string(), std::strerror(errno)));
+    throw std::system_error(errno, std::generic_category(),
+                            fmt::format("can't write '{}'", (directory_ / name).string()));
 }
 
 std::uint64_t StagedFiles::hash(const std::string& name) const {

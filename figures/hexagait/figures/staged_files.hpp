@@ -34,7 +34,7 @@ class StagedFiles {
   [[nodiscard]] std::ofstream create(const std::string& name);
 
   /// expect(), and the whole file.
-  /// @throws InvalidInput  if it can't be written, with its path and why
+  /// @throws std::system_error  if it can't be written, with its path and why
   void write(const std::string& name, std::string_view text);
 
   /// Where files are until they are published.

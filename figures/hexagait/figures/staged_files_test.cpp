@@ -39,7 +39,7 @@ class StagedFilesTest : public testing::Test {
 std::string message_of(const std::function<void()>& call) {
   try {
     call();
-  } catch (const InvalidInput& error) {
+  } catch (const std::runtime_error& error) {
     return error.what();
   }
   return "no error";

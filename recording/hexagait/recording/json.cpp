@@ -99,6 +99,7 @@ Json results(const walk::Summary& s) {
       {"steps", s.steps},
       {"tripod_after_steps", json_of(s.tripod_after_steps)},
       {"rule1_violations", s.rule1_violations},
+      {"rule1_commanded", s.rule1_commanded},
       {"neighbour_flight_s", s.neighbour_flight},
       {"leg_touch_s", s.leg_touch_time},
       {"contact_losses", s.contact_losses},

@@ -13,8 +13,8 @@ namespace {
 
 using footstep_gen::TickRecord;
 
-constexpr double kBounce = 0.05;         // a foot off the ground for less goes on standing [s]
-constexpr double kSettling = 0.02;       // a support younger than this may still lose contact [s]
+constexpr double kBounce = 0.05;    // a foot off the ground for less goes on standing [s]
+constexpr double kSettling = 0.02;  // a support younger than this may still lose contact [s]
 constexpr double kFallTilt = std::numbers::pi / 3.0;
 
 PlanarPose in_plane(const Pose& X_WB) { return {roll_pitch_yaw(X_WB.R).z(), X_WB.p.head<2>()}; }
@@ -150,6 +150,7 @@ void Referee::watch_rule1(const TickRecord& record, const GroundTruth& truth) {
   const LegSet in_air = without(LegSet::all(n), feet_in_contact(truth));
   const LegSet beside = gait_state::neighbours_of(in_air | record.lifts, n);
   summary_.rule1_violations += (record.lifts & beside).size();
+  summary_.rule1_commanded += record.rule1_violations.size();
   if (gait_state::breaks_rule_1(in_air, n)) summary_.neighbour_flight += dt_;
 }
 

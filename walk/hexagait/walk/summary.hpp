@@ -40,6 +40,9 @@ struct Summary {
   /// Lifts commanded while a neighbour was in truth off the ground, or was lifted with it. What the
   /// controller knew does not matter.
   int rule1_violations = 0;
+  /// The same by the controller's own record: lifts that it commanded beside a leg that it lifts or
+  /// takes to be off the ground.
+  int rule1_commanded = 0;
   double neighbour_flight = 0.0;  ///< time in which two neighbours were off the ground [s]
   double leg_touch_time = 0.0;    ///< in which a leg touched the ground, not with its foot [s]
   int contact_losses = 0;  ///< times a leg in support lost all contact, after its first 20 ms

@@ -168,9 +168,8 @@ Outcome fg16_fig6(const ExperimentContext& context, figures::StagedFiles& files)
                        {"trials", std::to_string(climbs.size())},
                        {"push",
                         fmt::format("{:.0f} N for {} s", kPushes.front().norm(), kPushSeconds)}},
-         .provenance =
-             recording::provenance(context.robot->name, *context.robot, recording::Simulation{})
-};
+          .provenance =
+              recording::provenance(context.robot->name, *context.robot, recording::Simulation{})};
 }
 
 }  // namespace hexagait::experiments

@@ -131,9 +131,8 @@ Outcome fg16_fig7(const ExperimentContext& context, figures::StagedFiles& files)
                        {"terrain", kTerrain},
                        {"seed", std::to_string(kSeed)},
                        {"yaw_error_rad", fmt::format("{}", kYawError)}},
-         .provenance =
-             recording::provenance(context.robot->name, *context.robot, recording::Simulation{})
-};
+          .provenance =
+              recording::provenance(context.robot->name, *context.robot, recording::Simulation{})};
 }
 
 }  // namespace hexagait::experiments

@@ -303,9 +303,12 @@ std::vector<Verdict> judge_fig7_physics(const std::vector<GenghisGround>& ground
        .checks = {{{"walks that got stuck", share_of(all, [](const auto& s) { return s.stuck; })},
                    exactly(0.0)}}},
       {.claim = "No two neighbours are told to lift together",
-       .safety = {{{"lifts beside a lifted neighbour", "",
-                    worst(all, [](const auto& s) { return s.rule1_violations; })},
-                   exactly(0.0)}}}};
+       .safety = {{{"lifts beside a leg that lifts or is taken to be off the ground, worst walk",
+                    "", worst(all, [](const auto& s) { return s.rule1_commanded; })},
+                   exactly(0.0)}},
+       .remark = fmt::format("up to {:.0f} lifts of a walk are beside a foot that truly carries "
+                             "nothing: a rigid body with six feet in a plane rests on some of them",
+                             worst(all, [](const auto& s) { return s.rule1_violations; }))}};
 }
 
 std::vector<Verdict> judge_fig9(const Summary& s, double longest_pause) {

@@ -208,7 +208,7 @@ TEST(JudgeFig7Physics, ExcusesNoFallNoStuckWalkAndNoViolation) {
   all[1].walks[2][3].summary.stuck = true;
   EXPECT_EQ(judge_fig7_physics(all)[5].word(), kFails);
   all = grounds();
-  all[1].walks[2][3].summary.rule1_violations = 1;
+  all[1].walks[2][3].summary.rule1_commanded = 1;
   EXPECT_EQ(judge_fig7_physics(all)[6].word(), kFails);
 }
 
