@@ -5,7 +5,7 @@
 
 int main() {
   using namespace hexagait::verify;
-  const Report report = verify({}, {.legs = {6}, .step_time = 1});
+  const TheoremReport report = verify({}, {.legs = {6}, .step_time = 1});
   std::printf("verify: %zu theorems\n", report.theorems.size());
   return report.theorems.empty() ? 1 : 0;
 }
