@@ -227,6 +227,7 @@ int report_command(const ReportArguments& arguments) {
   std::vector<std::string> measures = arguments.measures;
   if (measures.empty()) measures.emplace_back();
   std::vector<sweep::Report> reports;
+  reports.reserve(measures.size());
   for (const std::string& measure : measures)
     reports.push_back(
         sweep::make_report(arguments.directory, {.measure = measure,
@@ -234,6 +235,7 @@ int report_command(const ReportArguments& arguments) {
                                                  .all_trials = arguments.all_trials}));
   if (arguments.json) {
     std::vector<std::string> texts;
+    texts.reserve(reports.size());
     for (const sweep::Report& report : reports) texts.push_back(to_json(report));
     const std::string all = fmt::format("{}", fmt::join(texts, ",\n"));
     fmt::print("{}\n", texts.size() == 1 ? all : "[" + all + "]");

@@ -34,6 +34,7 @@ template <class Range, class Predicate>
 template <class Range, class Value>
 [[nodiscard]] std::vector<double> each(const Range& range, Value value) {
   std::vector<double> values;
+  values.reserve(std::size(range));
   for (const auto& one : range) values.push_back(static_cast<double>(value(one)));
   return values;
 }

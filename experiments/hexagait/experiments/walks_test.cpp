@@ -42,6 +42,8 @@ struct Bench {
     EXPECT_EQ(word([](auto& s) { s.fault = footstep_gen::Fault::emergency_stop; }), "FAILS");
   }
 };
+template <class Judge>
+Bench(Judge) -> Bench<Judge>;  // clang 14 doesn't deduce it of an aggregate
 
 const auto judge_ten = [](const auto& walks) { return judge_headings(walks, kReach); };
 

@@ -48,7 +48,7 @@ char letter(const GaitState& state) { return letter_of(type_of(state)); }
 int rotation_of(const GaitState& state) {
   std::string text = least_rotation(to_string(state));
   int turn = 0;
-  for (; text != to_string(state); ++turn) std::ranges::rotate(text, text.end() - 1);
+  for (; text != to_string(state); ++turn) std::rotate(text.begin(), text.end() - 1, text.end());
   return turn;
 }
 

@@ -96,6 +96,7 @@ Outcome fig7_physics(const ExperimentContext& context, figures::StagedFiles& fil
   const int seeds = context.short_form ? 2 : kSeeds;
   const double length = context.short_form ? 16.0 : kSeconds;
   std::vector<Ground> grounds;
+  const double all = seeds * static_cast<double>(kRoughness.size());
   double done = 0.0;
   for (const int roughness : kRoughness) {
     Ground& ground = grounds.emplace_back();
@@ -104,7 +105,7 @@ Outcome fig7_physics(const ExperimentContext& context, figures::StagedFiles& fil
       for (const Gait gait : {kTripod, kFree, kUnadjusted})
         ground.walks[gait].push_back(
             walk(kGaits[gait], roughness, static_cast<std::uint64_t>(seed), length, context.stop));
-      if (context.progress) context.progress(++done / (seeds * kRoughness.size()));
+      if (context.progress) context.progress(++done / all);
       if (context.stop != nullptr && context.stop->load()) return {};
     }
   }

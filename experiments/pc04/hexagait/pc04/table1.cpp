@@ -65,7 +65,7 @@ char letter_of(gait_state::GaitType type) {
 std::string least_rotation(std::string text) {
   std::string least = text;
   for (std::size_t turn = 0; turn < text.size(); ++turn) {
-    std::ranges::rotate(text, text.begin() + 1);
+    std::rotate(text.begin(), text.begin() + 1, text.end());
     least = std::min(least, text);
   }
   return least;
