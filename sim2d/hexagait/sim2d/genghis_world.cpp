@@ -227,7 +227,7 @@ class GenghisWorld::Impl {
     Vector2 slip = Vector2::Zero();  ///< tangential velocity at the most loaded contact [m/s]
   };
 
-  Touch touch(b2Body* body) {
+  Touch touch(b2Body* body) const {
     Touch result;
     double most = 0.0;
     const double per_step = 1.0 / params_.physics_dt;
