@@ -17,11 +17,11 @@ std::string optional(const std::optional<int>& value) {
   return value ? std::to_string(*value) : "";
 }
 
-// How a walk of either simulator ended, faults apart.
-template <class Summary>
-Outcome outcome(const Summary& s, const Limits& limits) {
+// How a walk of either simulator ended.
+Outcome outcome(const walk::Summary& s, const Limits& limits) {
   if (s.fell) return Outcome::fell;
   if (s.stuck) return Outcome::stuck;
+  if (s.fault != footstep_gen::Fault::none) return Outcome::fault;
   if (limits.distance <= 0.0) return Outcome::walked;
   return s.arrived ? Outcome::arrived : Outcome::late;
 }
@@ -31,8 +31,7 @@ bool to_the_end(Outcome outcome) {
 }
 
 // Empty if no distance was asked for.
-template <class Summary>
-std::string arrived(const Summary& s, const Limits& limits) {
+std::string arrived(const walk::Summary& s, const Limits& limits) {
   return limits.distance <= 0.0 ? "" : s.arrived ? "1" : "0";
 }
 
@@ -71,25 +70,43 @@ std::string run_slice(const TrialConfig& config) {
                      s.stroke, s.hash);
 }
 
+// ---- box2d and ode: walks with one referee ------------------------------------------------------
+
+// What every walk has, around the columns of one simulator.
+std::vector<Column> walk_columns(const std::vector<Column>& own) {
+  std::vector<Column> columns = {{"speed_m_s", "speed", "m/s"},
+                                 {"walked_to_end", "walked to the end", "", true},
+                                 {"arrived", "arrived", "", true},
+                                 {"fell", "fell", "", true},
+                                 {"stuck", "stuck", "", true},
+                                 {"seconds", "time walked", "s"},
+                                 {"distance_m", "distance", "m"},
+                                 {"steps", "steps", ""},
+                                 {"tripod_after_steps", "steps before the tripod gait", ""}};
+  columns.insert(columns.end(), own.begin(), own.end());
+  columns.push_back({"rule1_violations", "violations of rule 1", ""});
+  columns.push_back({"hash", "hash", ""});
+  return columns;
+}
+
+// Their values; `own` are those of one simulator, with commas between them.
+std::string walk_row(const walk::Summary& s, const Limits& limits, const std::string& own) {
+  const bool fault = s.fault != footstep_gen::Fault::none;
+  const Outcome end = outcome(s, limits);
+  return fmt::format("{},{},{},{:d},{},{:d},{:d},{},{},{},{},{},{},{:016x}", to_string(end),
+                     fault ? footstep_gen::to_string(s.fault) : "", s.speed, to_the_end(end),
+                     arrived(s, limits), s.fell, s.stuck, s.seconds, s.distance, s.steps,
+                     optional(s.tripod_after_steps), own, s.rule1_violations, s.state_hash);
+}
+
 // ---- box2d ------------------------------------------------------------------------------------
 
-const std::vector<Column> kGenghisColumns = {
-    {"speed_m_s", "speed", "m/s"},
-    {"walked_to_end", "walked to the end", "", true},
-    {"arrived", "arrived", "", true},
-    {"fell", "fell", "", true},
-    {"stuck", "stuck", "", true},
-    {"seconds", "time walked", "s"},
-    {"distance_m", "distance", "m"},
-    {"steps", "steps", ""},
-    {"tripod_after_steps", "steps before the tripod gait", ""},
-    {"slip_m", "slip per step", "m"},
-    {"pitch_max_rad", "largest pitch", "rad"},
-    {"searches", "searches for ground", ""},
-    {"blocked", "blocked advances", ""},
-    {"contact_losses", "contact losses", ""},
-    {"rule1_violations", "violations of rule 1", ""},
-    {"hash", "hash", ""}};
+const std::vector<Column> kGenghisColumns =
+    walk_columns({{"slip_m", "slip per step", "m"},
+                  {"pitch_max_rad", "largest pitch", "rad"},
+                  {"searches", "searches for ground", ""},
+                  {"blocked", "blocked advances", ""},
+                  {"contact_losses", "contact losses", ""}});
 
 std::string run_genghis(const TrialConfig& config) {
   sim2d::GenghisTrial trial;
@@ -101,31 +118,18 @@ std::string run_genghis(const TrialConfig& config) {
   if (config.limits.distance > 0.0) trial.distance = config.limits.distance;
 
   const recording::GenghisSummary s = recording::simulate(trial);
-  const Outcome end = outcome(s, config.limits);
-  return fmt::format("{},,{},{:d},{},{:d},{:d},{},{},{},{},{},{},{},{},{},{},{:016x}",
-                     to_string(end), s.speed, to_the_end(end), arrived(s, config.limits), s.fell,
-                     s.stuck, s.seconds, s.distance, s.steps, optional(s.tripod_after_steps),
-                     s.slip_mean, s.pitch_max, s.side_view.searches, s.side_view.blocked,
-                     s.contact_losses, s.rule1_violations, s.state_hash);
+  return walk_row(s, config.limits,
+                  fmt::format("{},{},{},{},{}", s.slip_mean, s.pitch_max, s.side_view.searches,
+                              s.side_view.blocked, s.contact_losses));
 }
 
 // ---- ode --------------------------------------------------------------------------------------
 
-const std::vector<Column> kOdeColumns = {{"speed_m_s", "speed", "m/s"},
-                                         {"walked_to_end", "walked to the end", "", true},
-                                         {"arrived", "arrived", "", true},
-                                         {"fell", "fell", "", true},
-                                         {"stuck", "stuck", "", true},
-                                         {"seconds", "time walked", "s"},
-                                         {"distance_m", "distance", "m"},
-                                         {"steps", "steps", ""},
-                                         {"tripod_after_steps", "steps before the tripod gait", ""},
-                                         {"lateral_max_m", "largest lateral error", "m"},
-                                         {"heading_max_rad", "largest heading error", "rad"},
-                                         {"slip_mean_m", "slip per stance", "m"},
-                                         {"margin_min_m", "least stability margin", "m"},
-                                         {"rule1_violations", "violations of rule 1", ""},
-                                         {"hash", "hash", ""}};
+const std::vector<Column> kOdeColumns =
+    walk_columns({{"lateral_max_m", "largest lateral error", "m"},
+                  {"heading_max_rad", "largest heading error", "rad"},
+                  {"slip_mean_m", "slip per stance", "m"},
+                  {"margin_min_m", "least stability margin", "m"}});
 
 std::string run_ode(const TrialConfig& config) {
   recording::Simulation simulation;
@@ -138,13 +142,9 @@ std::string run_ode(const TrialConfig& config) {
   if (config.limits.distance > 0.0) simulation.trial.distance = config.limits.distance;
 
   const walk::Summary s = recording::simulate(*config.robot, simulation);
-  const bool fault = s.fault != footstep_gen::Fault::none;
-  const Outcome end = fault && !s.fell && !s.stuck ? Outcome::fault : outcome(s, config.limits);
-  return fmt::format("{},{},{},{:d},{},{:d},{:d},{},{},{},{},{},{},{},{},{},{:016x}",
-                     to_string(end), fault ? footstep_gen::to_string(s.fault) : "", s.speed,
-                     to_the_end(end), arrived(s, config.limits), s.fell, s.stuck, s.seconds,
-                     s.distance, s.steps, optional(s.tripod_after_steps), s.lateral_max,
-                     s.heading_max, s.slip_mean, s.margin_min, s.rule1_violations, s.state_hash);
+  return walk_row(
+      s, config.limits,
+      fmt::format("{},{},{},{}", s.lateral_max, s.heading_max, s.slip_mean, s.margin_min));
 }
 
 }  // namespace
