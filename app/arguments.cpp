@@ -93,10 +93,17 @@ double posture_spread(const std::string& text, const RobotModel& robot) {
   return number("--random-posture", text, {0.0, radius, Dimension::length, words.c_str()});
 }
 
+// Default: the longest step of at most `usual` of which the control period is a multiple.
+double physics_step(const WalkArguments& a, const Range& range, double usual) {
+  if (!a.physics_step.empty()) return number("--physics-step", a.physics_step, range);
+  if (a.control_period.empty()) return usual;
+  return recording::physics_step_for(number("--control-period", a.control_period, kStep), usual);
+}
+
 // Default: the smallest number of physics steps that makes so much or more.
-double control_period(const std::string& text, double physics_dt, double usual = 0.002) {
-  if (text.empty()) return physics_dt * std::ceil(usual / physics_dt - 1e-9);
-  const double period = number("--control-period", text, kStep);
+double control_period(const WalkArguments& a, double physics_dt, double usual) {
+  if (a.control_period.empty()) return physics_dt * std::ceil(usual / physics_dt - 1e-9);
+  const double period = number("--control-period", a.control_period, kStep);
   const double steps = std::round(period / physics_dt);
   if (steps < 1.0 || std::abs(period - steps * physics_dt) > 1e-9 * period)
     throw InvalidInput(
@@ -157,9 +164,8 @@ sim2d::GenghisTrial genghis_trial(const WalkArguments& arguments) {
     trial.random_posture = number("--random-posture", arguments.random_posture, kSpread);
   }
   constexpr Range kStep2d = {1e-5, 0.005, Dimension::time, "a time of 10us to 5ms, in seconds"};
-  if (!arguments.physics_step.empty())
-    trial.physics_dt = number("--physics-step", arguments.physics_step, kStep2d);
-  trial.control_dt = control_period(arguments.control_period, trial.physics_dt, 0.005);
+  trial.physics_dt = physics_step(arguments, kStep2d, trial.physics_dt);
+  trial.control_dt = control_period(arguments, trial.physics_dt, trial.control_dt);
   return trial;
 }
 
@@ -167,9 +173,8 @@ recording::Simulation simulation(const WalkArguments& arguments, const RobotMode
   recording::Simulation result;
   result.terrain = sim3d::parse_terrain(arguments.terrain);
   result.seed = seed(arguments.seed);
-  if (!arguments.physics_step.empty())
-    result.physics_dt = number("--physics-step", arguments.physics_step, kStep);
-  result.control_dt = control_period(arguments.control_period, result.physics_dt);
+  result.physics_dt = physics_step(arguments, kStep, result.physics_dt);
+  result.control_dt = control_period(arguments, result.physics_dt, result.control_dt);
   result.sensors = {.joint_feedback = !arguments.no_joint_feedback,
                     .foot_contacts = !arguments.no_contacts};
   result.gait = gait(arguments);

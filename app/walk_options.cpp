@@ -72,7 +72,8 @@ void add_simulator(CLI::App& walk, WalkArguments& a) {
   walk.add_flag("--no-contacts", a.no_contacts, "The controller has no contact sensors");
   walk.add_flag("--no-joint-feedback", a.no_joint_feedback, "The controller has no joint sensors");
   walk.add_option("--physics-step", a.physics_step,
-                  "10us to 50ms, of genghis2d to 5ms; default 2ms, of genghis2d 2.5ms")
+                  "10us to 50ms, of genghis2d to 5ms; default up to 2ms, of genghis2d 2.5ms, as "
+                  "the control period divides")
       ->type_name("TIME");
   walk.add_option(
           "--control-period", a.control_period,

@@ -1,8 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
 #include <hexagait/recording/simulation.hpp>
 
 namespace hexagait::recording {
+
+double physics_step_for(double control_dt, double usual) {
+  return control_dt / std::ceil(control_dt / usual - 1e-9);
+}
 
 sim3d::WorldParams world_params(const Simulation& simulation) {
   sim3d::WorldParams params;

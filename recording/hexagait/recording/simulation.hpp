@@ -22,6 +22,9 @@ struct Simulation {
   walk::TrialOptions trial;
 };
 
+/// The longest physics step, of at most `usual`, of which a control period is a multiple [s].
+[[nodiscard]] double physics_step_for(double control_dt, double usual = 0.002);
+
 /// The world and the controller of a simulation.
 [[nodiscard]] sim3d::WorldParams world_params(const Simulation& simulation);
 [[nodiscard]] footstep_gen::WalkerParams walker_params(const Simulation& simulation);
