@@ -6,11 +6,11 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <hexagait/sweep/header.hpp>
-#include <hexagait/sweep/journal.hpp>
+#include <hexagait/sweep/detail/header.hpp>
+#include <hexagait/sweep/detail/journal.hpp>
 #include <hexagait/sweep/report.hpp>
-#include <hexagait/sweep/spelling.hpp>
 #include <hexagait/text/invalid_input.hpp>
+#include <hexagait/text/nearest_word.hpp>
 #include <map>
 #include <numeric>
 
@@ -228,8 +228,9 @@ Column measure_of(const Header& header, const std::string& asked,
   }
   if (name == "hash")
     throw InvalidInput("--measure is 'hash', which is not a number that can be averaged");
-  throw InvalidInput(fmt::format("--measure is '{}', which is no column of numbers in '{}'{}", name,
-                                 directory.string(), suggestion(name, numbers)));
+  throw InvalidInput(
+      fmt::format("--measure is '{}', which is no column of numbers in '{}'{}; it has {}", name,
+                  directory.string(), did_you_mean(name, numbers), fmt::join(numbers, ", ")));
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 #include <chrono>
 #include <hexagait/figures/staged_files.hpp>
 #include <hexagait/sim/fnv1a.hpp>
-#include <hexagait/sweep/header.hpp>
-#include <hexagait/sweep/journal.hpp>
-#include <hexagait/sweep/made_directory.hpp>
+#include <hexagait/sweep/detail/header.hpp>
+#include <hexagait/sweep/detail/journal.hpp>
+#include <hexagait/sweep/detail/made_directory.hpp>
 #include <hexagait/sweep/results.hpp>
 
 namespace hexagait::sweep {
