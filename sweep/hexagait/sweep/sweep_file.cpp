@@ -3,10 +3,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <hexagait/sim2d/genghis_model.hpp>
 #include <hexagait/sweep/sweep.hpp>
 #include <hexagait/text/invalid_input.hpp>
+#include <hexagait/text/parse_number.hpp>
 #include <hexagait/text/text_file.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <hexagait/yaml/yaml_reader.hpp>
@@ -228,12 +228,8 @@ class SweepReader {
   // Seeds have more digits than a double has.
   std::optional<std::uint64_t> whole(const YamlField& field, std::uint64_t least,
                                      std::uint64_t greatest = kNoLimit) {
-    const std::string& text = yaml_.node(field.node).text;
-    std::uint64_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error == std::errc() && end == text.data() + text.size() && least <= value &&
-        value <= greatest)
-      return value;
+    const auto value = parse_number<std::uint64_t>(yaml_.node(field.node).text);
+    if (value && least <= *value && *value <= greatest) return value;
     yaml_.refuse(field, greatest == kNoLimit
                             ? fmt::format("a whole number of {} or more", least)
                             : fmt::format("a whole number from {} to {}", least, greatest));

@@ -95,7 +95,6 @@ Header parse_header(const std::string& header, const std::string& place) {
       throw InvalidInput(fmt::format("{}: is of format {}; this program reads format {}", place,
                                      json.at("format").dump(), kFormat));
     Header result{
-        .identity = without_shard(header).dump(),
         .columns = json.at("columns"),
         .measure = json.at("measure"),
         .trials = json.at("trials"),
