@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/text/nearest_word.hpp>
+#include <hexagait/text/parse_number.hpp>
 #include <hexagait/text/quantity.hpp>
 
 namespace hexagait::app {
@@ -141,11 +141,8 @@ bool walks_backward(const std::string& crab) {
 }  // namespace
 
 std::uint64_t seed(const std::string& text) {
-  std::uint64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size())
-    throw InvalidInput(fmt::format("--seed is '{}'; it must be a whole number of 0 or more", text));
-  return value;
+  if (const auto value = parse_number<std::uint64_t>(text)) return *value;
+  throw InvalidInput(fmt::format("--seed is '{}'; it must be a whole number of 0 or more", text));
 }
 
 sim2d::GenghisTrial genghis_trial(const WalkArguments& arguments) {

@@ -40,10 +40,10 @@ TEST_F(SweepCli, RefusesASweepFileWithAllItsErrorsAndWritesNothing) {
   EXPECT_EQ(result.status, 2);
   EXPECT_THAT(result.out, IsEmpty());
   EXPECT_THAT(result.err,
-              AllOf(HasSubstr("bad.yaml:2:1: unknown key 'controller'; did you mean 'controllers'"),
+              AllOf(HasSubstr("bad.yaml:2:1: unknown key of sweep \"controller\"; did you mean"),
                     HasSubstr("bad.yaml:3:12: the slice model has no terrain 'swamp'"),
-                    HasSubstr("bad.yaml:4:8: seeds is '-3'"),
-                    HasSubstr("bad.yaml:1:1: 'controllers' is missing")));
+                    HasSubstr("bad.yaml:4:8: seeds: is \"-3\""),
+                    HasSubstr("bad.yaml:1:1: sweep: the key \"controllers\" is missing")));
   EXPECT_FALSE(fs::exists(at("a")));
 }
 
@@ -117,7 +117,7 @@ TEST_F(SweepCli, RefusesADirectoryInPlaceOfAFile) {
   fs::create_directory(at("folder"));
   const Result result = run("sweep folder --out a");
   EXPECT_EQ(result.status, 2);
-  EXPECT_THAT(result.err, HasSubstr("'folder' is a directory; a sweep file is expected"));
+  EXPECT_THAT(result.err, HasSubstr("folder: is a directory; a sweep file is expected"));
   EXPECT_FALSE(fs::exists(at("a")));
 }
 

@@ -5,12 +5,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <charconv>
 #include <chrono>
 #include <hexagait/sweep/job_files.hpp>
 #include <hexagait/sweep/report.hpp>
 #include <hexagait/sweep/results.hpp>
 #include <hexagait/text/invalid_input.hpp>
+#include <hexagait/text/parse_number.hpp>
 #include <optional>
 #include <thread>
 
@@ -30,12 +30,10 @@ using sweep::Sweep;
 
 // A whole number of 1 … greatest.
 std::uint64_t whole(const char* option, std::string_view text, std::uint64_t greatest) {
-  std::uint64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || value < 1 || value > greatest)
-    throw InvalidInput(
-        fmt::format("{} is '{}'; it must be a whole number from 1 to {}", option, text, greatest));
-  return value;
+  const auto value = parse_number<std::uint64_t>(text);
+  if (value && 1 <= *value && *value <= greatest) return *value;
+  throw InvalidInput(
+      fmt::format("{} is '{}'; it must be a whole number from 1 to {}", option, text, greatest));
 }
 
 constexpr std::uint64_t kMaxJobs = 1024, kMaxShards = 1'000'000;
@@ -44,12 +42,10 @@ constexpr double kLong = 3.0 * 86400.0;  // a sweep that takes longer wants --ye
 // 0 if none was given.
 double trial_timeout(const std::string& text) {
   if (text.empty()) return 0.0;
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !(0.001 <= value && value <= 1e7))
-    throw InvalidInput(fmt::format(
-        "--trial-timeout is '{}'; it must be a time from 0.001 to 10000000 seconds", text));
-  return value;
+  const auto value = parse_number<double>(text);
+  if (value && 0.001 <= *value && *value <= 1e7) return *value;
+  throw InvalidInput(fmt::format(
+      "--trial-timeout is '{}'; it must be a time from 0.001 to 10000000 seconds", text));
 }
 
 int jobs(const std::string& text, unsigned otherwise) {

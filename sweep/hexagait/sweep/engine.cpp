@@ -147,69 +147,70 @@ std::string run_ode(const TrialConfig& config) {
       fmt::format("{},{},{},{}", s.lateral_max, s.heading_max, s.slip_mean, s.margin_min));
 }
 
+// ---- all of them --------------------------------------------------------------------------------
+
+Ground slice_ground(const std::string& text) {
+  const sim2d::SliceTerrain terrain = slice_terrain(text);
+  return {to_string(terrain), slice_roughness(terrain)};
+}
+
+// Of a simulator whose terrains have a height.
+template <auto parse>
+Ground high_ground(const std::string& text) {
+  const auto spec = parse(text);
+  return {to_string(spec), spec.height};
+}
+
+struct Simulator {
+  std::string_view name, roughness_label;
+  const std::vector<Column>& columns;
+  std::vector<std::string> rough_terrains;
+  Ground (*ground)(const std::string& terrain);
+  std::string (*run)(const TrialConfig& config);
+};
+
+const Simulator& of(Engine engine) {
+  constexpr std::string_view kHeight = "height of the roughness [m]";
+  static const std::array<Simulator, kEngines.size()> all = {{{"slice",
+                                                               "roughness [units per slice]",
+                                                               kSliceColumns,
+                                                               {"profile"},
+                                                               slice_ground,
+                                                               run_slice},
+                                                              {"box2d",
+                                                               kHeight,
+                                                               kGenghisColumns,
+                                                               {"rough", "step", "steps"},
+                                                               high_ground<sim2d::parse_terrain2d>,
+                                                               run_genghis},
+                                                              {"ode",
+                                                               kHeight,
+                                                               kOdeColumns,
+                                                               {"boxes", "steps"},
+                                                               high_ground<sim3d::parse_terrain>,
+                                                               run_ode}}};
+  return all[static_cast<std::size_t>(engine)];
+}
+
 }  // namespace
 
-std::string_view to_string(Engine engine) {
-  switch (engine) {
-    case Engine::slice:
-      return "slice";
-    case Engine::box2d:
-      return "box2d";
-    case Engine::ode:
-      return "ode";
-  }
-  return "";
-}
+std::string_view to_string(Engine engine) { return of(engine).name; }
 
 std::string_view to_string(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::arrived:
-      return "arrived";
-    case Outcome::walked:
-      return "walked";
-    case Outcome::late:
-      return "late";
-    case Outcome::fell:
-      return "fell";
-    case Outcome::stuck:
-      return "stuck";
-    case Outcome::fault:
-      return "fault";
-    case Outcome::failed:
-      return "failed";
-    case Outcome::timed_out:
-      return "timed_out";
-  }
-  return "";
+  constexpr std::array<std::string_view, kOutcomes.size()> kNames = {
+      "arrived", "walked", "late", "fell", "stuck", "fault", "failed", "timed_out"};
+  return kNames[static_cast<std::size_t>(outcome)];
 }
 
-std::string_view roughness_label(Engine engine) {
-  return engine == Engine::slice ? "roughness [units per slice]" : "height of the roughness [m]";
-}
+std::string_view roughness_label(Engine engine) { return of(engine).roughness_label; }
 
-const std::vector<Column>& columns(Engine engine) {
-  switch (engine) {
-    case Engine::slice:
-      return kSliceColumns;
-    case Engine::box2d:
-      return kGenghisColumns;
-    case Engine::ode:
-      break;
-  }
-  return kOdeColumns;
-}
+const std::vector<Column>& columns(Engine engine) { return of(engine).columns; }
 
-std::string run(const TrialConfig& config) {
-  switch (config.engine) {
-    case Engine::slice:
-      return run_slice(config);
-    case Engine::box2d:
-      return run_genghis(config);
-    case Engine::ode:
-      return run_ode(config);
-  }
-  return "";
-}
+const std::vector<std::string>& rough_terrains(Engine engine) { return of(engine).rough_terrains; }
+
+Ground ground(Engine engine, const std::string& terrain) { return of(engine).ground(terrain); }
+
+std::string run(const TrialConfig& config) { return of(config.engine).run(config); }
 
 std::string no_result(Engine engine, Outcome outcome, std::string_view reason) {
   std::string cells = fmt::format("{},", to_string(outcome));
@@ -218,33 +219,6 @@ std::string no_result(Engine engine, Outcome outcome, std::string_view reason) {
     cells += plain ? letter : letter == ',' ? ';' : ' ';
   }
   return cells + std::string(columns(engine).size(), ',');
-}
-
-const std::vector<std::string>& rough_terrains(Engine engine) {
-  static const std::vector<std::string> slice = {"profile"}, genghis = {"rough", "step", "steps"},
-                                        ode = {"boxes", "steps"};
-  switch (engine) {
-    case Engine::slice:
-      return slice;
-    case Engine::box2d:
-      return genghis;
-    case Engine::ode:
-      break;
-  }
-  return ode;
-}
-
-Ground ground(Engine engine, const std::string& terrain) {
-  if (engine == Engine::slice) {
-    const sim2d::SliceTerrain slices = slice_terrain(terrain);
-    return {to_string(slices), slice_roughness(slices)};
-  }
-  if (engine == Engine::box2d) {
-    const sim2d::TerrainSpec2d spec = sim2d::parse_terrain2d(terrain);
-    return {to_string(spec), spec.height};
-  }
-  const sim3d::TerrainSpec spec = sim3d::parse_terrain(terrain);
-  return {to_string(spec), spec.height};
 }
 
 }  // namespace hexagait::sweep

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <hexagait/figures/staged_files.hpp>
+#include <hexagait/sweep/detail/made_directory.hpp>
 #include <hexagait/sweep/job_files.hpp>
-#include <hexagait/sweep/made_directory.hpp>
 #include <hexagait/text/invalid_input.hpp>
 
 namespace hexagait::sweep {

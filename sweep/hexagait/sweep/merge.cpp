@@ -4,9 +4,9 @@
 
 #include <functional>
 #include <hexagait/figures/staged_files.hpp>
-#include <hexagait/sweep/header.hpp>
-#include <hexagait/sweep/journal.hpp>
-#include <hexagait/sweep/made_directory.hpp>
+#include <hexagait/sweep/detail/header.hpp>
+#include <hexagait/sweep/detail/journal.hpp>
+#include <hexagait/sweep/detail/made_directory.hpp>
 #include <hexagait/sweep/results.hpp>
 #include <hexagait/text/invalid_input.hpp>
 #include <queue>

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <hexagait/sweep/detail/scratch_sweep.hpp>
 #include <hexagait/sweep/report.hpp>
 #include <nlohmann/json.hpp>
-
-#include "scratch_sweep.hpp"
 
 namespace hexagait::sweep {
 namespace {
@@ -82,7 +81,7 @@ TEST_F(Merging, RefusesPartsOfDifferentPhysicsNamingTheField) {
   const std::string journal = content(journal_path(at("b")));
   const std::size_t end = journal.find('\n');
   auto header = nlohmann::ordered_json::parse(journal.substr(17, end - 17));
-  header["libraries"]["ODE"] = "0.13";
+  header["libraries"]["Eigen"] = "2.0";
   header["physics"]["friction"] = 0.5;
   std::ofstream(journal_path(at("b")), std::ios::binary)
       << journal_header(header.dump()) << journal.substr(end + 1);
@@ -90,8 +89,16 @@ TEST_F(Merging, RefusesPartsOfDifferentPhysicsNamingTheField) {
       refusal([&] {
         merge({at("a"), at("b")}, at("out"));
       }),
-      AllOf(HasSubstr("libraries.ODE: \""), HasSubstr("against \"0.13\""),
+      AllOf(HasSubstr("libraries.Eigen: \""), HasSubstr("against \"2.0\""),
             HasSubstr("physics: nothing against {\"friction\":0.5}"), Not(HasSubstr("compiler"))));
+}
+
+// Slices know no ODE: machines with unlike ones make the same rows of them.
+TEST_F(Merging, ComparesOnlyTheSimulatorsThatTookPart) {
+  run(slices(1), "a");
+  const std::string header = JournalReader(at("a")).header();
+  EXPECT_THAT(header,
+              AllOf(HasSubstr("\"Eigen\""), Not(HasSubstr("ODE")), Not(HasSubstr("Box2D"))));
 }
 
 TEST_F(Merging, NeedsNoMoreDescriptorsThanAFewHoweverManyTheParts) {

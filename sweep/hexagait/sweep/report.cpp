@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
-#include <hexagait/sweep/header.hpp>
-#include <hexagait/sweep/journal.hpp>
+#include <hexagait/sweep/detail/header.hpp>
+#include <hexagait/sweep/detail/journal.hpp>
 #include <hexagait/sweep/report.hpp>
-#include <hexagait/sweep/spelling.hpp>
 #include <hexagait/text/invalid_input.hpp>
+#include <hexagait/text/nearest_word.hpp>
+#include <hexagait/text/parse_number.hpp>
 #include <map>
 #include <numeric>
 
@@ -27,14 +27,6 @@ std::vector<std::string_view> split(std::string_view line) {
     begin = end + 1;
   }
   return cells;
-}
-
-template <class Number>
-std::optional<Number> parsed(std::string_view text) {
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return {};
-  return value;
 }
 
 struct Trial {
@@ -105,7 +97,7 @@ class TrialRows {
 
   template <class Number>
   [[nodiscard]] Number number(Field field, std::string_view name) const {
-    if (const std::optional<Number> value = parsed<Number>(cell(field))) return *value;
+    if (const std::optional<Number> value = parse_number<Number>(cell(field))) return *value;
     refuse(fmt::format("the column '{}' has '{}', which is not a number", name, cell(field)));
   }
 
@@ -211,11 +203,9 @@ std::optional<Compared> compared(const Group& group, const Group& first, const R
   return result;
 }
 
-const std::string& compared_name(const ReportLine& line, Compare compare) {
-  return compare == Compare::controllers ? line.controller
-         : compare == Compare::terrains  ? line.terrain
-                                         : line.robot;
-}
+// What a comparison is of, in the order of Compare.
+constexpr std::array kCompared = {&ReportLine::controller, &ReportLine::terrain,
+                                  &ReportLine::robot};
 
 Column measure_of(const Header& header, const std::string& asked,
                   const std::filesystem::path& directory) {
@@ -228,22 +218,17 @@ Column measure_of(const Header& header, const std::string& asked,
   }
   if (name == "hash")
     throw InvalidInput("--measure is 'hash', which is not a number that can be averaged");
-  throw InvalidInput(fmt::format("--measure is '{}', which is no column of numbers in '{}'{}", name,
-                                 directory.string(), suggestion(name, numbers)));
+  throw InvalidInput(
+      fmt::format("--measure is '{}', which is no column of numbers in '{}'{}; it has {}", name,
+                  directory.string(), did_you_mean(name, numbers), fmt::join(numbers, ", ")));
 }
 
 }  // namespace
 
 std::string_view to_string(Compare compare) {
-  switch (compare) {
-    case Compare::controllers:
-      return "controllers";
-    case Compare::terrains:
-      return "terrains";
-    case Compare::robots:
-      return "robots";
-  }
-  return "";
+  constexpr std::array<std::string_view, kComparisons.size()> kNames = {"controllers", "terrains",
+                                                                        "robots"};
+  return kNames[static_cast<std::size_t>(compare)];
 }
 
 int ReportLine::trials() const { return std::accumulate(outcomes.begin(), outcomes.end(), 0); }
@@ -260,19 +245,20 @@ Report make_report(const std::filesystem::path& directory, const ReportOptions& 
                 .all_trials = options.all_trials,
                 .lines = {}};
   std::vector<Group> groups = TrialRows(directory, report.measure, report.all_trials).groups();
-  report.first = compared_name(groups.front().line, report.compare);
+  const auto compared_name = kCompared[static_cast<std::size_t>(report.compare)];
+  report.first = groups.front().line.*compared_name;
 
-  const auto peers = [&](const ReportLine& a, const ReportLine& b) {
-    return (report.compare == Compare::controllers || a.controller == b.controller) &&
-           (report.compare == Compare::terrains || a.terrain == b.terrain) &&
-           (report.compare == Compare::robots || a.robot == b.robot);
+  // The first, and like this one in all that is not compared.
+  const auto is_peer = [&](const Group& first, const Group& group) {
+    return &first != &group && first.line.*compared_name == report.first &&
+           std::ranges::all_of(kCompared, [&](const auto name) {
+             return name == compared_name || first.line.*name == group.line.*name;
+           });
   };
   for (Group& group : groups) {
     group.line.value = measured(group, report.measure.yes_no);
     for (const Group& first : groups)
-      if (&first != &group && compared_name(first.line, report.compare) == report.first &&
-          peers(first.line, group.line))
-        group.line.difference = compared(group, first, report);
+      if (is_peer(first, group)) group.line.difference = compared(group, first, report);
   }
   for (Group& group : groups) report.lines.push_back(std::move(group.line));
   return report;

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <deque>
-#include <hexagait/sweep/header.hpp>
-#include <hexagait/sweep/journal.hpp>
-#include <hexagait/sweep/made_directory.hpp>
+#include <hexagait/sweep/detail/header.hpp>
+#include <hexagait/sweep/detail/journal.hpp>
+#include <hexagait/sweep/detail/made_directory.hpp>
+#include <hexagait/sweep/detail/worker_pool.hpp>
 #include <hexagait/sweep/run_shard.hpp>
-#include <hexagait/sweep/worker_pool.hpp>
 #include <map>
 
 namespace hexagait::sweep {

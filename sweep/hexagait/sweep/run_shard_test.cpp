@@ -6,11 +6,10 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <hexagait/sweep/made_directory.hpp>
+#include <hexagait/sweep/detail/made_directory.hpp>
+#include <hexagait/sweep/detail/scratch_sweep.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <thread>
-
-#include "scratch_sweep.hpp"
 
 namespace hexagait::sweep {
 namespace {

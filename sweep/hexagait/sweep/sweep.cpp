@@ -44,12 +44,6 @@ GridPoint grid_point(const Sweep& sweep, std::uint64_t k) {
           .seed_index = group % seeds};
 }
 
-std::uint64_t trial_number(const Sweep& sweep, const GridPoint& point) {
-  const std::uint64_t place = point.robot * sweep.terrains.size() + point.terrain;
-  const std::uint64_t group = place * seeds_per_terrain(sweep) + point.seed_index;
-  return group * sweep.controllers.size() + point.controller;
-}
-
 std::uint64_t seed(const Sweep& sweep, const GridPoint& point) {
   if (!sweep.seeds.empty()) return sweep.seeds[point.seed_index];
   const auto terrain = static_cast<std::uint32_t>(fnv1a(sweep.terrains[point.terrain].terrain));

@@ -38,9 +38,8 @@ struct GridPoint {
 /// Number of trials; they are numbered from 0.
 [[nodiscard]] std::uint64_t num_trials(const Sweep& sweep);
 
-/// Place of trial k, and its inverse: a bijection of 0 … num_trials − 1 and the grid.
+/// Place of trial k: a bijection of 0 … num_trials − 1 and the grid.
 [[nodiscard]] GridPoint grid_point(const Sweep& sweep, std::uint64_t k);
-[[nodiscard]] std::uint64_t trial_number(const Sweep& sweep, const GridPoint& point);
 
 /// The seed that all controllers and robots share on a terrain: the listed one, or 48 bits from
 /// (master seed, terrain's name, seed index), so that further terrains or seeds move no other.

@@ -12,7 +12,6 @@ namespace hexagait::sweep {
 
 /// What merging and reporting need to know of a header.
 struct Header {
-  std::string identity;  ///< all but the shard, as JSON: equal for what can be merged
   Engine engine = Engine::slice;
   std::string columns;       ///< first line of trials.csv
   std::string measure;       ///< column that a report is about
@@ -25,7 +24,7 @@ struct Header {
 /// @throws InvalidInput  if it is none, or of another format
 [[nodiscard]] Header parse_header(const std::string& header, const std::string& place);
 
-/// The header of a whole sweep with this identity.
+/// The same header with all shards in one.
 [[nodiscard]] std::string whole_header(const std::string& header);
 
 /// What differs between two headers, as lines "physics.friction: 0.9 against 0.5"; the shard counts

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <hexagait/recording/detail/provenance_json.hpp>
-#include <hexagait/sweep/header.hpp>
+#include <hexagait/sweep/detail/header.hpp>
 #include <hexagait/text/invalid_input.hpp>
 #include <nlohmann/json.hpp>
 
@@ -14,7 +14,8 @@ using nlohmann::ordered_json;
 
 constexpr int kFormat = 2;
 
-// Beside version, libraries and parameters the models of all robots.
+// Beside version and parameters the simulator that takes part, and the models of all robots: what
+// had no say in the rows is no reason to keep them apart.
 ordered_json provenance(const Sweep& sweep) {
   recording::Provenance result = recording::provenance();
   if (sweep.engine == Engine::box2d) result = recording::provenance(sim2d::GenghisTrial{});
@@ -24,6 +25,10 @@ ordered_json provenance(const Sweep& sweep) {
     for (const Robot& robot : sweep.robots)
       result.robots.push_back({robot.name, recording::model_hash(robot.model)});
   }
+  std::erase_if(result.libraries, [&](const auto& library) {
+    return (library.first == "ODE" && sweep.engine != Engine::ode) ||
+           (library.first == "Box2D" && sweep.engine != Engine::box2d);
+  });
   return recording::json(result);
 }
 
@@ -90,7 +95,6 @@ Header parse_header(const std::string& header, const std::string& place) {
       throw InvalidInput(fmt::format("{}: is of format {}; this program reads format {}", place,
                                      json.at("format").dump(), kFormat));
     Header result{
-        .identity = without_shard(header).dump(),
         .columns = json.at("columns"),
         .measure = json.at("measure"),
         .trials = json.at("trials"),

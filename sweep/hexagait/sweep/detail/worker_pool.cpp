@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <hexagait/sweep/worker_pool.hpp>
+#include <hexagait/sweep/detail/worker_pool.hpp>
 #include <stdexcept>
 
 namespace hexagait::sweep {

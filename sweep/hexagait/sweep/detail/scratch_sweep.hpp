@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <fstream>
-#include <hexagait/sweep/journal.hpp>
+#include <hexagait/sweep/detail/journal.hpp>
 #include <hexagait/sweep/results.hpp>
 #include <hexagait/text/invalid_input.hpp>
 #include <iterator>

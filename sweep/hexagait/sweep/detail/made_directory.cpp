@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <hexagait/sweep/made_directory.hpp>
+#include <hexagait/sweep/detail/made_directory.hpp>
 #include <hexagait/text/invalid_input.hpp>
 
 namespace hexagait::sweep {

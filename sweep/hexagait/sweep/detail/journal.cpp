@@ -10,8 +10,8 @@
 #include <cstring>
 #include <fstream>
 #include <hexagait/sim/fnv1a.hpp>
-#include <hexagait/sweep/journal.hpp>
-#include <hexagait/sweep/made_directory.hpp>
+#include <hexagait/sweep/detail/journal.hpp>
+#include <hexagait/sweep/detail/made_directory.hpp>
 #include <hexagait/text/invalid_input.hpp>
 #include <thread>
 
