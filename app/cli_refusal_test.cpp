@@ -76,7 +76,8 @@ TEST_F(Cli, RefusesOptionsThatContradict) {
   for (const char* period : {"0", "nan", "0.5", "-0.002", "0.9ms", "21ms", "2m"})
     refuses(std::string("walk --control-period ") + period,
             {"--control-period", period, "1ms to 20ms"});
-  refuses("walk --control-period 0.003", {"--control-period", "0.003", "0.002 s", "whole number"});
+  refuses("walk --physics-step 0.002 --control-period 0.003",
+          {"--control-period", "0.003", "0.002 s", "whole number"});
 }
 
 TEST_F(Cli, RefusesWhatItDoesNotKnow) {
