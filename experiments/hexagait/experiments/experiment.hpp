@@ -40,5 +40,6 @@ struct Experiment {
                            const std::filesystem::path& out);
 
 Outcome walks(const ExperimentContext& context, figures::StagedFiles& files);
+Outcome rates(const ExperimentContext& context, figures::StagedFiles& files);
 
 }  // namespace hexagait::experiments

@@ -7,10 +7,13 @@
 #include <fmt/ostream.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <hexagait/experiments/experiment.hpp>
+#include <future>
 #include <hexagait/experiments/walk_checks.hpp>
 #include <hexagait/experiments/walks.hpp>
+#include <mutex>
+#include <thread>
 
 namespace hexagait::experiments {
 namespace {
@@ -25,22 +28,6 @@ recording::Simulation flat(const Heading& heading, double seconds) {
   simulation.trial.schedule = {{0.0, heading}};
   simulation.trial.seconds = seconds;
   return simulation;
-}
-
-std::vector<Walk> headings(double seconds) {
-  std::vector<Walk> walks;
-  const auto add = [&](const std::string& name, const Heading& heading, double bound = 0.005) {
-    walks.push_back({"heading", name, flat(heading, seconds), bound});
-  };
-  add("straight", Heading::straight(0.0));
-  for (const double r : {3.0, 1.0, 0.3, -1.0})
-    add(fmt::format("r = {} m", r), Heading::arc(r, 0.0));
-  add("spin ccw", Heading::spin(Turn::ccw));
-  add("spin cw", Heading::spin(Turn::cw));
-  add("crab 45°", Heading::straight(std::numbers::pi / 4.0), 0.015);
-  add("crab 90°", Heading::straight(std::numbers::pi / 2.0));
-  add("backwards", Heading::straight(std::numbers::pi));
-  return walks;
 }
 
 // A walk for each seed, from 1 on.
@@ -70,15 +57,6 @@ std::vector<Walk> random_commands(std::uint64_t count, double seconds) {
   });
 }
 
-std::vector<Walk> terrain(const std::string& terrain, std::uint64_t count, double metres) {
-  return seeds(terrain, count, [&](std::uint64_t) {
-    recording::Simulation simulation = flat(Heading::straight(0.0), 90.0);
-    simulation.terrain = sim3d::parse_terrain(terrain);
-    simulation.trial.distance = metres;
-    return simulation;
-  });
-}
-
 void write_table(std::ostream& out, const std::vector<std::vector<Walk>>& groups) {
   out << "group,walk,seconds_s,distance_m,turned_rad,speed_m_s,lateral_mean_m,lateral_max_m,"
          "heading_max_rad,slip_mean_m,slip_p95_m,margin_min_m,roll_max_rad,pitch_max_rad,steps,"
@@ -93,17 +71,6 @@ void write_table(std::ostream& out, const std::vector<std::vector<Walk>>& groups
                  s.neighbour_flight, s.contact_losses, s.fell, s.stuck, s.state_hash);
 }
 
-std::vector<walk::Summary> summaries(std::span<const Walk> walks) {
-  std::vector<walk::Summary> all;
-  for (const Walk& walk : walks) all.push_back(walk.summary);
-  return all;
-}
-
-Check none_stuck(std::span<const Walk> walks) {
-  return {{"walks that got stuck", share_of(walks, [](const Walk& w) { return w.summary.stuck; })},
-          exactly(0.0)};
-}
-
 // Walked for as long as asked.
 Check to_the_end(std::span<const Walk> walks) {
   return {{"walks that went on to their end", share_of(walks,
@@ -116,16 +83,85 @@ Check to_the_end(std::span<const Walk> walks) {
 
 }  // namespace
 
+std::vector<Walk> ten_headings(double seconds) {
+  std::vector<Walk> walks;
+  const auto add = [&](const std::string& name, const Heading& heading, double bound = 0.005) {
+    walks.push_back({"heading", name, flat(heading, seconds), bound});
+  };
+  add("straight", Heading::straight(0.0));
+  for (const double r : {3.0, 1.0, 0.3, -1.0})
+    add(fmt::format("r = {} m", r), Heading::arc(r, 0.0));
+  add("spin ccw", Heading::spin(Turn::ccw));
+  add("spin cw", Heading::spin(Turn::cw));
+  add("crab 45°", Heading::straight(std::numbers::pi / 4.0), 0.015);
+  add("crab 90°", Heading::straight(std::numbers::pi / 2.0));
+  add("backwards", Heading::straight(std::numbers::pi));
+  return walks;
+}
+
+std::vector<Walk> over_terrain(const std::string& terrain, std::uint64_t count, double metres) {
+  return seeds(terrain, count, [&](std::uint64_t) {
+    recording::Simulation simulation = flat(Heading::straight(0.0), 90.0);
+    simulation.terrain = sim3d::parse_terrain(terrain);
+    simulation.trial.distance = metres;
+    return simulation;
+  });
+}
+
+std::vector<walk::Summary> summaries(std::span<const Walk> walks) {
+  std::vector<walk::Summary> all;
+  for (const Walk& walk : walks) all.push_back(walk.summary);
+  return all;
+}
+
+Check none_stuck(std::span<const Walk> walks) {
+  return {{"walks that got stuck", share_of(walks, [](const Walk& w) { return w.summary.stuck; })},
+          exactly(0.0)};
+}
+
+bool walk_all(const ExperimentContext& context, std::span<std::vector<Walk>> groups) {
+  std::vector<Walk*> walks;
+  for (std::vector<Walk>& group : groups)
+    for (Walk& walk : group) walks.push_back(&walk);
+
+  std::atomic<std::size_t> next = 0;
+  std::size_t done = 0;
+  std::mutex progress;
+  const auto stopped = [&] { return context.stop != nullptr && context.stop->load(); };
+  const auto work = [&] {
+    for (std::size_t k = next++; k < walks.size() && !stopped(); k = next++) {
+      walks[k]->summary =
+          recording::simulate(*context.robot, walks[k]->simulation, {}, context.stop);
+      const std::scoped_lock lock(progress);
+      ++done;
+      if (context.progress)
+        context.progress(static_cast<double>(done) / static_cast<double>(walks.size()));
+    }
+  };
+  std::vector<std::future<void>> workers(std::max(1U, std::thread::hardware_concurrency()));
+  for (std::future<void>& worker : workers) worker = std::async(std::launch::async, work);
+  for (std::future<void>& worker : workers) worker.get();
+  return !stopped();
+}
+
+double farthest_workspace(const RobotModel& robot) {
+  double reach = 0.0;
+  for (const LegModel& leg : robot.legs) reach = std::max(reach, leg.p_BC.head<2>().norm());
+  return reach;
+}
+
+double outermost_speed(const Walk& walk, double reach) {
+  return walk.summary.speed + reach * std::abs(walk.summary.turned) / walk.summary.seconds;
+}
+
 Verdict judge_headings(std::span<const Walk> walks, double reach) {
   const auto most = [&](auto value) { return worst(walks, value); };
   const double lateral = most([](const Walk& w) { return w.summary.lateral_mean; });
   const double share = most([](const Walk& w) { return w.summary.lateral_mean / w.max_lateral; });
   const double slip = most([](const Walk& w) { return w.summary.slip_p95; });
   const double losses = most([](const Walk& w) { return w.summary.contact_losses; });
-  // The speed of a foot below the farthest workspace centre, on the outside of a curve.
-  const double slowest = statistics::least(each(walks, [&](const Walk& w) {
-    return w.summary.speed + reach * std::abs(w.summary.turned) / w.summary.seconds;
-  }));
+  const double slowest =
+      statistics::least(each(walks, [&](const Walk& w) { return outermost_speed(w, reach); }));
   return {
       .claim = fmt::format("{} headings on flat ground, {} s each", walks.size(),
                            walks.front().simulation.trial.seconds),
@@ -179,30 +215,21 @@ Verdict judge_terrain(std::span<const Walk> walks) {
 Outcome walks(const ExperimentContext& context, figures::StagedFiles& files) {
   const bool brief = context.short_form;
   std::vector<std::vector<Walk>> groups = {
-      headings(brief ? 6.0 : 40.0), postures(brief ? 3 : 20),
+      ten_headings(brief ? 6.0 : 40.0), postures(brief ? 3 : 20),
       random_commands(brief ? 1 : 5, brief ? 20.0 : 120.0),
-      terrain("boxes:0.10", brief ? 2 : 20, brief ? 1.0 : 5.0),
-      terrain("steps:0.10", brief ? 2 : 20, brief ? 1.0 : 5.0)};
-  std::size_t count = 0, done = 0;
-  for (const auto& group : groups) count += group.size();
-  for (auto& group : groups)
-    for (Walk& walk : group) {
-      walk.summary = recording::simulate(*context.robot, walk.simulation, {}, context.stop);
-      if (context.stop != nullptr && context.stop->load()) return {};
-      if (context.progress)
-        context.progress(static_cast<double>(++done) / static_cast<double>(count));
-    }
+      over_terrain("boxes:0.10", brief ? 2 : 20, brief ? 1.0 : 5.0),
+      over_terrain("steps:0.10", brief ? 2 : 20, brief ? 1.0 : 5.0)};
+  if (!walk_all(context, groups)) return {};
   std::ofstream table = files.create("walks.csv");
   write_table(table, groups);
 
-  double reach = 0.0;
-  for (const LegModel& leg : context.robot->legs)
-    reach = std::max(reach, leg.p_BC.head<2>().norm());
-  return {
-      .verdicts = {judge_headings(groups[0], reach), judge_postures(groups[1]),
-                   judge_commands(groups[2]), judged_in_full_only(judge_terrain(groups[3]), brief),
-                   judged_in_full_only(judge_terrain(groups[4]), brief)},
-      .settings = {{"robot", context.robot->name}, {"walks", std::to_string(count)}}};
+  std::size_t count = 0;
+  for (const auto& group : groups) count += group.size();
+  return {.verdicts = {judge_headings(groups[0], farthest_workspace(*context.robot)),
+                       judge_postures(groups[1]), judge_commands(groups[2]),
+                       judged_in_full_only(judge_terrain(groups[3]), brief),
+                       judged_in_full_only(judge_terrain(groups[4]), brief)},
+          .settings = {{"robot", context.robot->name}, {"walks", std::to_string(count)}}};
 }
 
 }  // namespace hexagait::experiments

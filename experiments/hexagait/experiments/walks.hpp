@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/experiments/claim.hpp>
+#include <hexagait/experiments/experiment.hpp>
 #include <hexagait/recording/simulation.hpp>
 #include <span>
 
@@ -15,6 +15,30 @@ struct JudgedWalk {
   double max_lateral = 0.0;  ///< bound on the mean distance from the path [m]; 0: none
   walk::Summary summary = {};
 };
+
+/// Ten constant headings on flat ground: straight on, arcs, spins, crabs and backwards.
+[[nodiscard]] std::vector<JudgedWalk> ten_headings(double seconds);
+
+/// Straight on over terrain, as far as asked, with a walk for each seed from 1 on.
+/// @param terrain  as on the command line, "boxes:0.10"
+[[nodiscard]] std::vector<JudgedWalk> over_terrain(const std::string& terrain, std::uint64_t count,
+                                                   double metres);
+
+/// Walks them, on all cores, and fills in their summaries. Reports progress.
+/// @returns false if it was stopped before the end
+[[nodiscard]] bool walk_all(const ExperimentContext& context,
+                            std::span<std::vector<JudgedWalk>> groups);
+
+[[nodiscard]] std::vector<walk::Summary> summaries(std::span<const JudgedWalk> walks);
+[[nodiscard]] Check none_stuck(std::span<const JudgedWalk> walks);
+
+/// Horizontal distance of the farthest workspace centre from the base [m].
+[[nodiscard]] double farthest_workspace(const RobotModel& robot);
+
+/// Speed of a foot below the farthest workspace centre, on the outside of a curve [m/s]: also of a
+/// spin, where the base goes nowhere.
+/// @param reach  distance of that centre from the base [m]
+[[nodiscard]] double outermost_speed(const JudgedWalk& walk, double reach);
 
 /// Constant headings on flat ground.
 /// @param reach  of the farthest workspace centre from the base [m]

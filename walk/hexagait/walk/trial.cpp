@@ -10,7 +10,12 @@
 namespace hexagait::walk {
 namespace {
 
-double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+// Of this thread: others may walk as well.
+double processor_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 // Lets the robot come to rest on its feet before anything is judged.
 Measurement settled(footstep_gen::Walker& walker, Plant& plant, double seconds) {

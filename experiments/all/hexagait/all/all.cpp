@@ -28,6 +28,7 @@ const std::vector<Experiment>& experiments() {
        "[FG16] Fig. 7: localisation that jumps, odometry that drifts, and both combined",
        fg16_fig7},
       {"walks", "the walks by which the controller is judged: headings, postures, terrain", walks},
+      {"rates", "control periods of 1 to 20 ms: ten headings on flat ground, and boxes", rates},
   };
   return all;
 }

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <hexagait/experiments/rates.hpp>
+
+namespace hexagait::experiments {
+namespace {
+
+constexpr double kReach = 0.6;  // [m]
+
+std::vector<JudgedWalk> good_walks() {
+  JudgedWalk walk{.group = "heading", .name = "", .simulation = {}, .max_lateral = 0.005};
+  walk.simulation.trial.distance = 5.0;
+  walk.summary.seconds = 40.0;
+  walk.summary.speed = 0.23;
+  walk.summary.lateral_mean = 0.001;
+  walk.summary.arrived = true;
+  return std::vector<JudgedWalk>(20, walk);
+}
+
+std::string word_on_flat(double control_dt, auto change) {
+  RatedWalks walks{control_dt, good_walks(), {}};
+  change(walks.headings[7].summary);
+  return judge_rate(walks, good_walks(), kReach).word();
+}
+
+TEST(JudgeRate, FailsAWalkThatIsWorseThanItsReference) {
+  EXPECT_EQ(word_on_flat(0.010, [](auto&) {}), "holds");
+  EXPECT_EQ(word_on_flat(0.010, [](auto& s) { s.fell = true; }), "FAILS");
+  EXPECT_EQ(word_on_flat(0.010, [](auto& s) { s.stuck = true; }), "FAILS");
+  EXPECT_EQ(word_on_flat(0.010, [](auto& s) { s.speed *= 0.96; }), "FAILS");
+  EXPECT_EQ(word_on_flat(0.010, [](auto& s) { s.speed = std::nan(""); }), "FAILS");
+}
+
+TEST(JudgeRate, AllowsACentimetreOnlyAboveTenMilliseconds) {
+  EXPECT_EQ(word_on_flat(0.010, [](auto& s) { s.lateral_mean = 0.006; }), "FAILS");
+  EXPECT_EQ(word_on_flat(0.020, [](auto& s) { s.lateral_mean = 0.006; }), "holds");
+  EXPECT_EQ(word_on_flat(0.020, [](auto& s) { s.lateral_mean = 0.011; }), "FAILS");
+}
+
+TEST(JudgeRate, TakesASpinByItsOutermostFoot) {
+  std::vector<JudgedWalk> spins = good_walks();
+  for (JudgedWalk& walk : spins) {
+    walk.summary.speed = 0.0;
+    walk.summary.turned = -12.0;
+  }
+  EXPECT_EQ(judge_rate({0.005, spins, {}}, spins, kReach).word(), "holds");
+  const std::vector<JudgedWalk> reference = spins;
+  spins[3].summary.turned = -11.0;
+  EXPECT_EQ(judge_rate({0.005, spins, {}}, reference, kReach).word(), "FAILS");
+}
+
+TEST(JudgeRateOnTerrain, CountsWhoArrives) {
+  RatedWalks walks{0.020, {}, good_walks()};
+  walks.terrain[3].summary.arrived = false;
+  EXPECT_EQ(judge_rate_on_terrain(walks, 19).word(), "holds");
+  EXPECT_EQ(judge_rate_on_terrain(walks, 20).word(), "FAILS");
+}
+
+}  // namespace
+}  // namespace hexagait::experiments
