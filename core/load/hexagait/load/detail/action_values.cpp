@@ -54,7 +54,7 @@ FrameId read_frame(YamlReader& yaml, const ActionWords& words, const YamlFields&
 
 Matrix3 read_orientation(YamlReader& yaml, const YamlField& field) {
   constexpr std::size_t kCounts[] = {3, 4};
-  const std::optional<std::vector<double>> read = yaml.numbers(field, kCounts, Dimension::angle);
+  const std::optional<std::vector<double>> read = yaml.numbers(field, kCounts, kAngle);
   if (!read) return Matrix3::Identity();
   const std::vector<double>& v = *read;
   if (v.size() == 3) return from_roll_pitch_yaw(v[0], v[1], v[2]);
@@ -73,7 +73,7 @@ Matrix3 read_orientation(YamlReader& yaml, const YamlField& field) {
 Pose read_pose(YamlReader& yaml, const YamlFields& fields) {
   Pose X;
   if (const auto position = yaml.require(fields, "position"))
-    X.p = yaml.vector(*position, Dimension::length).value_or(X.p);
+    X.p = yaml.vector(*position, kPosition).value_or(X.p);
   if (const auto orientation = yaml.require(fields, "orientation"))
     X.R = read_orientation(yaml, *orientation);
   return X;
@@ -83,7 +83,7 @@ Position read_position(YamlReader& yaml, const ActionWords& words, const YamlFie
   const YamlFields fields = yaml.fields(field, kPositionMap);
   Position target{read_frame(yaml, words, fields), Vector3::Zero()};
   if (const auto position = yaml.require(fields, "position"))
-    target.p = yaml.vector(*position, Dimension::length).value_or(target.p);
+    target.p = yaml.vector(*position, kPosition).value_or(target.p);
   return target;
 }
 
