@@ -8,13 +8,6 @@
 namespace hexagait::action {
 namespace {
 
-// What other robots write after the name of a leg.
-std::string_view without_suffix(std::string_view name) {
-  for (const std::string_view suffix : {"_LEG", "_leg"})
-    if (name.ends_with(suffix)) return name.substr(0, name.size() - suffix.size());
-  return name;
-}
-
 Matrix3 from_roll_pitch_yaw(double roll, double pitch, double yaw) {
   return rotation_z(yaw) * rotation(Vector3(0, pitch, 0)) * rotation(Vector3(roll, 0, 0));
 }
@@ -33,7 +26,7 @@ LegId read_leg(YamlReader& yaml, const ActionWords& words, const YamlFields& fie
   if (!field) return 0;
   const std::optional<std::string> name = yaml.text(*field);
   if (!name) return 0;
-  for (const std::string_view candidate : {std::string_view(*name), without_suffix(*name)}) {
+  for (const std::string_view candidate : {std::string_view(*name), short_leg_name(*name)}) {
     const auto found = std::find(words.legs.begin(), words.legs.end(), candidate);
     if (found != words.legs.end()) return static_cast<LegId>(found - words.legs.begin());
   }
