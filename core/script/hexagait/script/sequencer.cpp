@@ -117,7 +117,8 @@ void Sequencer::begin_step(Executor& executor, const StepStart& start, double ca
   std::fill(beyond_.begin(), beyond_.end(), 0.0);
 
   const StepPlan& plan = planner_.plan(step, next, start);
-  if (plan.cause != Cause::none && params_.planner.refuses) return fail(plan.cause, plan.leg);
+  const bool refused = params_.planner.refuses || plan.cause == Cause::not_finite;
+  if (plan.cause != Cause::none && refused) return fail(plan.cause, plan.leg);
   for (LegId i = 0; i < beyond_.size(); ++i) {
     if (!plan.commanded.contains(i)) continue;
     given_up_.erase(i);
