@@ -26,7 +26,8 @@ constexpr Range kSeconds = {1e-3, 86400.0, Dimension::time, "a time of 1ms to a 
 constexpr Range kDistance = {1e-3, 1e5, Dimension::length, "a length of 1mm to 100 km, in metres"};
 constexpr Range kPeriod = {1e-3, 86400.0, Dimension::time,
                            "a time of 1ms to a day between commands, in seconds"};
-constexpr Range kStep = {1e-5, 0.05, Dimension::time, "a time of 10us to 50ms, in seconds"};
+constexpr Range kStep = {1e-5, 0.02, Dimension::time, "a time of 10us to 20ms, in seconds"};
+constexpr Range kControlPeriod = {1e-3, 0.02, Dimension::time, "a time of 1ms to 20ms, in seconds"};
 
 double number(const char* option, const std::string& text, const Range& range) {
   const auto [value, problem] = parse_quantity(text, range.dimension);
@@ -97,13 +98,14 @@ double posture_spread(const std::string& text, const RobotModel& robot) {
 double physics_step(const WalkArguments& a, const Range& range, double usual) {
   if (!a.physics_step.empty()) return number("--physics-step", a.physics_step, range);
   if (a.control_period.empty()) return usual;
-  return recording::physics_step_for(number("--control-period", a.control_period, kStep), usual);
+  return recording::physics_step_for(number("--control-period", a.control_period, kControlPeriod),
+                                     usual);
 }
 
 // Default: the smallest number of physics steps that makes so much or more.
 double control_period(const WalkArguments& a, double physics_dt, double usual) {
   if (a.control_period.empty()) return physics_dt * std::ceil(usual / physics_dt - 1e-9);
-  const double period = number("--control-period", a.control_period, kStep);
+  const double period = number("--control-period", a.control_period, kControlPeriod);
   const double steps = std::round(period / physics_dt);
   if (steps < 1.0 || std::abs(period - steps * physics_dt) > 1e-9 * period)
     throw InvalidInput(

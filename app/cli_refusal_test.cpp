@@ -73,6 +73,11 @@ TEST_F(Cli, RefusesOptionsThatContradict) {
   refuses("walk --physics-step 0.003 --control-period 0.004",
           {"--control-period", "0.004", "0.003", "whole number"});
   refuses("walk --physics-step 0", {"--physics-step", "'0'"});
+  for (const char* period : {"0", "nan", "0.5", "-0.002", "0.9ms", "21ms", "2m"})
+    refuses(std::string("walk --control-period ") + period,
+            {"--control-period", period, "1ms to 20ms"});
+  refuses("walk --physics-step 0.002 --control-period 0.003",
+          {"--control-period", "0.003", "0.002 s", "whole number"});
 }
 
 TEST_F(Cli, RefusesWhatItDoesNotKnow) {

@@ -72,12 +72,12 @@ void add_simulator(CLI::App& walk, WalkArguments& a) {
   walk.add_flag("--no-contacts", a.no_contacts, "The controller has no contact sensors");
   walk.add_flag("--no-joint-feedback", a.no_joint_feedback, "The controller has no joint sensors");
   walk.add_option("--physics-step", a.physics_step,
-                  "10us to 50ms, of genghis2d to 5ms; default up to 2ms, of genghis2d 2.5ms, as "
+                  "10us to 20ms, of genghis2d to 5ms; default up to 2ms, of genghis2d 2.5ms, as "
                   "the control period divides")
       ->type_name("TIME");
   walk.add_option(
           "--control-period", a.control_period,
-          "Up to 50ms, a multiple of the physics step; default the first of 2ms or more, of "
+          "1ms to 20ms, a multiple of the physics step; default the first of 2ms or more, of "
           "genghis2d 5ms")
       ->type_name("TIME");
 }

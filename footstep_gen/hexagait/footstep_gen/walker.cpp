@@ -2,18 +2,64 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <hexagait/executor/check_params.hpp>
 #include <hexagait/footstep_gen/detail/rear_edge.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
+#include <utility>
 
 namespace hexagait::footstep_gen {
+namespace {
+
+void check_stepping(Violations& violations, const gait_state::StepperParams& stepper) {
+  require(violations, "duty_factor", stepper.duty_factor,
+          stepper.duty_factor >= 0.5 && stepper.duty_factor < 1.0, "at least 0.5 and less than 1");
+}
+
+void check_step(Violations& violations, const StepParams& p) {
+  const std::pair<const char*, double> not_negative[] = {
+      {"stroke [m]", p.stroke},
+      {"height [m]", p.height},
+      {"roughness_gain", p.roughness_gain},
+      {"max_height [m]", p.max_height},
+      {"urgent_share", p.urgent_share},
+      {"stability_margin [m]", p.stability_margin},
+  };
+  for (const auto& [name, value] : not_negative)
+    require(violations, name, value, std::isfinite(value) && value >= 0.0, "0 or greater");
+}
+
+WalkerParams checked(const WalkerParams& params) {
+  Violations violations("walker");
+  check_controller(violations, params.control_dt, params.late_limit, params.executor);
+  check_stepping(violations, params.stepper);
+  check_step(violations, params.step);
+  require(violations, "tie_tolerance [m]", params.gait.tie_tolerance,
+          std::isfinite(params.gait.tie_tolerance) && params.gait.tie_tolerance >= 0.0,
+          "0 or greater");
+  violations.throw_if_any();
+  return params;
+}
+
+}  // namespace
 
 Walker::Walker(const RobotModel& model, const WalkerParams& params)
     : model_(&model),
-      params_(params),
+      params_(checked(params)),
       workspaces_(heading_control::workspaces(model)),
       estimator_(model, params.sensors),
       memory_(model.num_legs(), nominal_step_time(params.executor.swing, params.step)),
-      executor_(model, params.executor) {}
+      executor_(model, params.executor) {
+  watch_.stop(Fault::not_started);
+  record_.fault = watch_.fault();
+  record_.targets = executor_.targets();
+}
+
+void Walker::set_stepping(const gait_state::StepperParams& stepping) {
+  Violations violations("walker");
+  check_stepping(violations, stepping);
+  violations.throw_if_any();
+  params_.stepper = stepping;
+}
 
 const TickRecord& Walker::tick(PlantStatus status, const Measurement& measurement,
                                const heading_control::Heading& heading) noexcept {
@@ -32,6 +78,8 @@ void Walker::start(const Measurement& measurement) {
   StateEstimator estimator(*model_, params_.sensors);
   const RobotState state = estimator.start(measurement);  // may throw, so before anything changes
   *this = Walker(*model_, params_);
+  watch_ = {};
+  record_.fault = Fault::none;
   estimator_ = estimator;
   record_.measurement = measurement;
   record_.state = state;
@@ -55,6 +103,8 @@ bool Walker::healthy(PlantStatus status, const Measurement& measurement) noexcep
   } else {
     executor_.hold();
     record_.targets = executor_.targets();
+    if (watch_.fault() == Fault::not_started && valid(measurement, *model_))
+      record_.targets.q = measurement.q;
   }
   return go;
 }

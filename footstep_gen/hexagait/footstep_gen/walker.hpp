@@ -12,7 +12,7 @@
 namespace hexagait::footstep_gen {
 
 struct WalkerParams {
-  double control_dt = 0.002;  ///< control period [s]
+  double control_dt = 0.002;  ///< control period [s], 1 to 20 ms
   SensorMask sensors;
   gait_state::GaitParams gait;
   gait_state::StepperParams stepper;  ///< initial gait: free, wave or tripod
@@ -27,6 +27,7 @@ struct WalkerParams {
 /// The robot model must outlive the walker.
 class Walker {
  public:
+  /// @throws InvalidInput  listing all parameters that are out of range
   explicit Walker(const RobotModel& model, const WalkerParams& params = {});
   explicit Walker(const RobotModel&&, const WalkerParams& = {}) = delete;
 
@@ -34,16 +35,16 @@ class Walker {
   /// @throws InvalidInput  if a joint position is missing or not finite
   void start(const Measurement& measurement);
 
-  /// One control period.
+  /// One control period. Before start() it only holds the joints where they are measured, with
+  /// Fault::not_started.
   /// @param status  late: the measurement is ignored and the robot holds; after late_limit it stops
   const TickRecord& tick(PlantStatus status, const Measurement& measurement,
                          const heading_control::Heading& heading) noexcept;
 
   /// Changes the gait from the next tick on: free, wave with a duty factor, or tripod. May be
-  /// called at any time while walking; start() keeps it.
-  void set_stepping(const gait_state::StepperParams& stepping) noexcept {
-    params_.stepper = stepping;
-  }
+  /// called between any two ticks; start() keeps it.
+  /// @throws InvalidInput  if the duty factor is not from 1/2 to less than 1
+  void set_stepping(const gait_state::StepperParams& stepping);
 
   /// Stops at once until the next start(): velocities are set to 0, set points kept.
   void emergency_stop() noexcept { stop(Fault::emergency_stop); }

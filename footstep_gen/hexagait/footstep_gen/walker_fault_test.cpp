@@ -6,7 +6,9 @@
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <limits>
+#include <string>
 #include <testing/kinematic_plant.hpp>
+#include <vector>
 
 namespace hexagait::footstep_gen {
 namespace {
@@ -198,6 +200,78 @@ TEST(WalkerDeterminism, StartsAfreshFromWhateverState) {
   used.walker.start(fresh.plant.measurement);
   used.plant = fresh.plant;
   for (int k = 0; k < 2000; ++k) ASSERT_TRUE(same(used.tick().targets, fresh.tick().targets));
+}
+
+// A tick before start(): the joints are held where they are measured, whatever the heading.
+TEST(WalkerFault, HoldsTheRobotWhereItIsBeforeItIsStarted) {
+  Walker walker(argos());
+  EXPECT_EQ(walker.record().fault, Fault::not_started);
+  EXPECT_TRUE(finite(walker.record().targets));
+  testing::KinematicPlant plant{argos(), 0.5, {.seed = 13}};
+  Measurement spoilt = plant.measurement;
+  spoilt.q[2][1] = kNan;
+  for (const PlantStatus status : {PlantStatus::fresh, PlantStatus::late, PlantStatus::closed}) {
+    const TickRecord& record = walker.tick(status, plant.measurement, Heading::straight(0.0));
+    EXPECT_EQ(record.fault, Fault::not_started);
+    for (LegId i = 0; i < 6; ++i) {
+      EXPECT_EQ(record.targets.q[i], plant.measurement.q[i]);
+      EXPECT_EQ(record.targets.qd[i].norm(), 0.0);
+      EXPECT_EQ(record.targets.effort[i].norm(), 0.0);
+    }
+    walker.tick(status, spoilt, Heading::straight(0.0));
+    EXPECT_TRUE(finite(walker.record().targets));
+    walker.tick(status, {}, Heading::straight(0.0));
+    EXPECT_EQ(walker.record().targets.q.size(), 6);
+    EXPECT_TRUE(finite(walker.record().targets));
+  }
+  walker.start(plant.measurement);
+  EXPECT_EQ(walker.record().fault, Fault::none);
+  EXPECT_EQ(walker.tick(PlantStatus::fresh, plant.measurement, Heading::straight(0.0)).fault,
+            Fault::none);
+}
+
+void refuses(const WalkerParams& params, const std::vector<std::string>& words) {
+  try {
+    const Walker walker(argos(), params);
+    ADD_FAILURE() << "accepted, though it should name " << words.front();
+  } catch (const InvalidInput& error) {
+    for (const std::string& word : words)
+      EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+  }
+}
+
+WalkerParams with_period(double dt) {
+  WalkerParams params;
+  params.control_dt = dt;
+  return params;
+}
+
+// Name, value, unit and range; all of them at once.
+TEST(WalkerParams, ThatAreOutOfRangeAreNamed) {
+  for (const double dt :
+       {0.0, -0.002, 0.0009, 0.021, 0.5, kNan, std::numeric_limits<double>::infinity()})
+    refuses(with_period(dt), {"control_dt [s]", "1 to 20 ms"});
+  refuses(with_period(0.5), {"0.5"});
+  for (const double duty : {0.49, 1.0, -1.0, kNan}) {
+    WalkerParams wave;
+    wave.stepper = {gait_state::Stepping::wave, duty};
+    refuses(wave, {"duty_factor", "at least 0.5 and less than 1"});
+  }
+
+  WalkerParams params;
+  params.control_dt = 0.05;
+  params.step.stroke = kNan;
+  params.executor.swing.transfer_time = 0.0;
+  params.executor.base.acceleration = -1.0;
+  params.late_limit = kNan;
+  refuses(params, {"control_dt", "0.05", "stroke [m]", "transfer_time [s]", "acceleration [m/s²]",
+                   "late_limit [s]"});
+
+  for (const double dt : {0.001, 0.004, 0.02}) EXPECT_NO_THROW(Walker(argos(), with_period(dt)));
+  Walk walk;
+  EXPECT_THROW(walk.walker.set_stepping({gait_state::Stepping::wave, 1.0}), InvalidInput);
+  walk.walk(10);
+  EXPECT_EQ(walk.walker.params().stepper.duty_factor, 0.5);
 }
 
 }  // namespace

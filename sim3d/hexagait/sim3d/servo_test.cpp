@@ -125,8 +125,8 @@ TEST_F(ServoOnStand, TurnsNoHarderThanItsEffortLimit) {
 }
 
 // Once it has caught up, a servo follows a target that moves at q̇* without lag: τ vanishes only
-// where q = q* and q̇ = q̇*. The target moves between writes too, so the control period does not
-// matter. On a straight leg there are no other torques about yaw.
+// where q = q* and q̇ = q̇*. A target is that of the end of its period, and within it moves on the
+// line from the last one, so the control period does not matter. On a straight leg there are no other torques about yaw.
 TEST_F(ServoOnStand, FollowsAMovingTargetWithoutLagAtAnyControlPeriod) {
   params_.gravity = 0.0;
   for (const double control_dt : {0.002, 0.02}) {
@@ -135,7 +135,7 @@ TEST_F(ServoOnStand, FollowsAMovingTargetWithoutLagAtAnyControlPeriod) {
     JointTargets targets{kZero, kZero, kZero};
     targets.qd[0][0] = 0.5;
     while (world.truth().time < 1.5 - 0.5 * control_dt) {
-      targets.q[0][0] = 0.5 * world.truth().time;
+      targets.q[0][0] = 0.5 * (world.truth().time + control_dt);
       world.write(targets);
     }
     EXPECT_NEAR(q_of(world)[0][0], 0.75, 1e-6) << control_dt;

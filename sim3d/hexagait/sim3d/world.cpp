@@ -115,7 +115,8 @@ class World::Impl {
     if (!all_finite(targets, num_joints_)) truth_.finite = false;
     robot_.servos().set_targets(targets);
     felt_ = LegArray<bool>(felt_.size(), false);
-    for (int k = 0; k < physics_steps_ && truth_.finite; ++k) step(k * params_.physics_dt);
+    for (int k = 0; k < physics_steps_ && truth_.finite; ++k)
+      step((physics_steps_ - k) * params_.physics_dt);
   }
 
   void push(const Vector3& force_W, double seconds) {
@@ -128,10 +129,10 @@ class World::Impl {
   const Terrain& terrain() const { return ground_.terrain(); }
 
  private:
-  void step(double age) {
+  void step(double to_come) {
     const long complaints = detail::solver_complaints();
     contacts_.find(ground_, robot_.shapes());
-    robot_.step(age, push_steps_ > 0 ? push_ : Vector3::Zero());
+    robot_.step(to_come, push_steps_ > 0 ? push_ : Vector3::Zero());
     if (push_steps_ > 0) --push_steps_;
     truth_.solver_complaints += detail::solver_complaints() > complaints ? 1 : 0;
     truth_.finite = robot_.is_sane();

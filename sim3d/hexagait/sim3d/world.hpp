@@ -87,8 +87,9 @@ struct WorldParams {
 ///
 ///     τ = Kp (q* − q₊) + Kd (q̇* − q̇₊) + τ*,   |τ| ≤ effort limit
 ///
-/// with q*, q̇*, τ* the targets and q₊, q̇₊ the state, all at the end of the physics step; between
-/// two writes q* advances at q̇*. Position targets are clamped to the joint limits, which are the
+/// with q*, q̇*, τ* the targets and q₊, q̇₊ the state, all at the end of the physics step. Within the
+/// control period q* moves at q̇* and is the target position at its end: on the line from the last
+/// target to this one. Position targets are clamped to the joint limits, which are the
 /// only stops that joints have. Legs can also be driven by velocity or by effort
 /// (JointTargets::mode); a joint that reaches its limit is then held there by the position servo.
 /// Before the first write() the servos hold the initial joint positions.

@@ -3,28 +3,23 @@
 #include <algorithm>
 #include <cmath>
 #include <hexagait/executor/base_lane.hpp>
+#include <hexagait/executor/tick_motion.hpp>
 
 namespace hexagait {
 namespace {
 
 double clamped(double value, double bound) { return std::clamp(value, -bound, bound); }
 
-// (base 1): the speed from which the base can stop at the goal; near it, proportional to the rest.
-double approach_speed(double remaining, double max_speed, const BaseParams& params) {
-  const double distance = std::abs(remaining);
-  const double speed = std::min({std::sqrt(2.0 * params.acceleration * distance),
-                                 params.advance_rate * distance, params.max_speed, max_speed});
-  return std::copysign(speed, remaining);
-}
-
-PlanarTwist wanted_velocity(const BaseAutoCommand& command, const BaseGoal& goal,
+PlanarTwist wanted_velocity(const BaseAutoCommand& command, const BaseGoal& goal, double dt,
                             const BaseParams& params) {
   const double advance = std::min(goal.advance, command.max_advance);
-  const double speed = approach_speed(advance, command.max_speed, params);
+  const double speed = approach_speed(advance, params.acceleration, params.advance_rate,
+                                      std::min(params.max_speed, command.max_speed), dt);
 
-  Vector2 v = params.correction_rate * command.correction.v;
+  const double rate = decay_share(params.correction_rate * dt) / dt;
+  Vector2 v = rate * command.correction.v;
   if (v.norm() > params.correction_speed) v *= params.correction_speed / v.norm();
-  const double w = clamped(params.correction_rate * command.correction.w, params.correction_turn);
+  const double w = clamped(rate * command.correction.w, params.correction_turn);
   return {speed * command.path.v + v, speed * command.path.w + w};
 }
 
@@ -32,7 +27,7 @@ PlanarTwist wanted_velocity(const BaseAutoCommand& command, const BaseGoal& goal
 
 void advance(BaseLane& lane, const BaseAutoCommand& command, const BaseGoal& goal, double dt,
              const BaseParams& params) noexcept {
-  const PlanarTwist wanted = wanted_velocity(command, goal, params);
+  const PlanarTwist wanted = wanted_velocity(command, goal, dt, params);
 
   // Bounded change of velocity, measured at the outermost foot.
   const Vector2 dv = wanted.v - lane.planar.v;
@@ -43,8 +38,9 @@ void advance(BaseLane& lane, const BaseAutoCommand& command, const BaseGoal& goa
   lane.planar.w += share * dw;
 
   const auto slew = [dt, &params](double& velocity, double error, double bound, double arm) {
-    const double wish = clamped(params.posture_rate * error, bound);
-    velocity += clamped(wish - velocity, params.acceleration * dt / arm);
+    const double most = params.acceleration / arm;
+    const double wish = approach_speed(error, most, params.posture_rate, bound, dt);
+    velocity += clamped(wish - velocity, most * dt);
   };
   slew(lane.vertical, goal.height, params.height_speed, 1.0);
   slew(lane.roll, goal.roll, params.tilt_speed, params.outer_radius);

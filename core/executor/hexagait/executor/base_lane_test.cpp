@@ -43,23 +43,49 @@ TEST(BaseLane, NeverAcceleratesMoreThanItsBoundWhateverIsAsked) {
   }
 }
 
-// Along √(2 a d) the body brakes at just its bound, but a tick late: it passes the goal by at most
-// the way of one tick, v dt ≤ max_speed dt = 1.2 mm.
-TEST(BaseLane, StopsAtTheGoalWithinTheWayOfATick) {
+// The law is that of the end of the tick, so it never passes the goal: with no period, and with no
+// goal that the body could stop at.
+TEST(BaseLane, StopsAtTheGoalWithoutPassingItAtAnyPeriod) {
   const BaseParams params;
-  for (const double distance : {1e-4, 0.01, 0.0375, 0.1, 0.5, 2.0, -0.3}) {
-    BaseLane lane;
-    double x = 0.0, farthest = 0.0, fastest = 0.0;
-    for (int tick = 0; tick < 5000; ++tick) {
-      advance(lane, straight_ahead(), {.advance = distance - x}, kDt, params);
-      x += lane.planar.v.x() * kDt;
-      farthest = std::max(farthest, (x - distance) * std::copysign(1.0, distance));
-      fastest = std::max(fastest, std::abs(lane.planar.v.x()));
+  for (const double dt : {0.001, 0.002, 0.005, 0.010, 0.020}) {
+    for (const double distance : {1e-4, 0.01, 0.0375, 0.1, 0.5, 2.0, -0.3}) {
+      BaseLane lane;
+      double x = 0.0, farthest = 0.0, fastest = 0.0;
+      for (double t = 0.0; t < 10.0; t += dt) {
+        advance(lane, straight_ahead(), {.advance = distance - x}, dt, params);
+        x += lane.planar.v.x() * dt;
+        farthest = std::max(farthest, (x - distance) * std::copysign(1.0, distance));
+        fastest = std::max(fastest, std::abs(lane.planar.v.x()));
+      }
+      EXPECT_LE(farthest, 1e-12) << distance << " m, " << dt << " s";
+      EXPECT_LE(fastest, params.max_speed * (1.0 + 1e-12));
+      EXPECT_NEAR(x, distance, 1e-6);
+      EXPECT_NEAR(lane.planar.v.x(), 0.0, 1e-6);
     }
-    EXPECT_LE(farthest, params.max_speed * kDt) << distance;
-    EXPECT_LE(fastest, params.max_speed * (1.0 + 1e-12));
-    EXPECT_NEAR(x, distance, 1e-6);
-    EXPECT_NEAR(lane.planar.v.x(), 0.0, 1e-6);
+  }
+}
+
+// Height and tilt, too, and all of it in the same time: within a period.
+TEST(BaseLane, TiltsAndLiftsWithoutPassingTheGoalAtAnyPeriod) {
+  const BaseParams params;
+  double first[3] = {};
+  for (const double dt : {0.001, 0.002, 0.005, 0.010, 0.020}) {
+    BaseLane lane;
+    Vector3 x = Vector3::Zero();
+    const Vector3 goal(0.1, 0.3, -0.2);
+    double reached[3] = {};
+    for (double t = 0.0; t < 5.0; t += dt) {
+      advance(lane, {}, {0.0, goal[0] - x[0], goal[1] - x[1], goal[2] - x[2]}, dt, params);
+      x += dt * Vector3(lane.vertical, lane.roll, lane.pitch);
+      for (int k = 0; k < 3; ++k) {
+        ASSERT_LE(std::abs(x[k]), std::abs(goal[k]) + 1e-12);
+        if (reached[k] == 0.0 && std::abs(x[k]) > 0.9 * std::abs(goal[k])) reached[k] = t + dt;
+      }
+    }
+    for (int k = 0; k < 3; ++k) {
+      if (first[k] == 0.0) first[k] = reached[k];
+      EXPECT_NEAR(reached[k], first[k], 1.01 * dt) << k;
+    }
   }
 }
 
@@ -105,11 +131,13 @@ TEST(BaseLane, CorrectsTowardsThePathWithinItsBounds) {
   EXPECT_NEAR(lane.planar.v.y(), 0.8 * params.correction_speed, 1e-12);
   EXPECT_NEAR(lane.planar.w, -params.correction_turn, 1e-12);
 
+  // Near the path the deviation decays by 1 − exp(−k dt) in a tick.
+  const double rate = -std::expm1(-params.correction_rate * kDt) / kDt;
   command.correction = {{0.003, -0.004}, 0.01};
   for (int tick = 0; tick < 1000; ++tick) advance(lane, command, {}, kDt, params);
-  EXPECT_NEAR(lane.planar.v.x(), 0.003 * params.correction_rate, 1e-12);
-  EXPECT_NEAR(lane.planar.v.y(), -0.004 * params.correction_rate, 1e-12);
-  EXPECT_NEAR(lane.planar.w, 0.01 * params.correction_rate, 1e-12);
+  EXPECT_NEAR(lane.planar.v.x(), 0.003 * rate, 1e-12);
+  EXPECT_NEAR(lane.planar.v.y(), -0.004 * rate, 1e-12);
+  EXPECT_NEAR(lane.planar.w, 0.01 * rate, 1e-12);
 }
 
 // Height, roll and pitch: at the bound towards a far goal, then to rest at it. A first-order law of

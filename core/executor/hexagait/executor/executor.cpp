@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <hexagait/executor/executor.hpp>
+#include <hexagait/executor/tick_motion.hpp>
 #include <limits>
 
 namespace hexagait {
@@ -24,6 +25,7 @@ Executor::Executor(const RobotModel& model, const ExecutorParams& params)
       trig_(model.num_legs()),
       last_change_(model.num_legs(), LegJoints::Zero()),
       reachable_(model.num_legs(), true),
+      tracking_error_(model.num_legs(), 0.0),
       plans_(model.num_legs()),
       planned_effort_(model.num_legs(), LegJoints::Zero()) {
   const LegArray<LegJoints> zero(model.num_legs(), LegJoints::Zero());
@@ -94,6 +96,7 @@ const JointTargets& Executor::advance(const RobotState& state, double dt) noexce
 void Executor::move(const RobotState& state, double dt) noexcept {
   move_base(state, dt);          // twist of the base
   update_base_error(state, dt);  // its error from the plan, for the virtual model
+  note_tracking(state);          // errors of the feet, before their set points move on
   carry_with_ground(state, dt);  // set points of the feet, as the base moves over the ground
   move_legs(state, dt);          // motion of the feet over the ground
   set_joints(state, dt);
@@ -124,8 +127,9 @@ void Executor::follow_base(const RobotState& state, double dt) noexcept {
 
   const Matrix3 R_BD = state.X_OB.R.transpose() * now.X_AB.R;
   const BaseParams& p = params_.base;
-  Vector3 v = p.correction_rate * (state.X_OB.R.transpose() * (now.X_AB.p - state.X_OB.p));
-  Vector3 w = p.correction_rate * rotation_vector(R_BD);
+  const double rate = decay_share(p.correction_rate * dt) / dt;
+  Vector3 v = rate * (state.X_OB.R.transpose() * (now.X_AB.p - state.X_OB.p));
+  Vector3 w = rate * rotation_vector(R_BD);
   if (v.norm() > p.correction_speed) v *= p.correction_speed / v.norm();
   if (w.norm() > p.correction_turn) w *= p.correction_turn / w.norm();
   // The trapezoidal rule. If the plan ends within this tick, the rest of the tick has its last
@@ -150,9 +154,14 @@ void Executor::update_base_error(const RobotState& state, double dt) noexcept {
   base_error_ = base_error(state.X_OB, state.V_B, X_OD_, V_D);
 }
 
+void Executor::note_tracking(const RobotState& state) noexcept {
+  for (LegId i = 0; i < legs_.size(); ++i)
+    tracking_error_[i] = (state.p_BF[i] - legs_[i].p_BF).norm();
+}
+
 void Executor::move_legs(const RobotState& state, double dt) noexcept {
   for (LegId i = 0; i < legs_.size(); ++i) {
-    const LegSensed sensed{state.contact[i], (state.p_BF[i] - legs_[i].p_BF).norm(), reachable_[i]};
+    const LegSensed sensed{state.contact[i], tracking_error_[i], reachable_[i]};
     if (legs_[i].phase == LegPhase::follow)
       follow(legs_[i], plans_[i], sensed, state.X_OB, dt, rate_, params_.swing);
     else

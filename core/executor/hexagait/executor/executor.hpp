@@ -107,6 +107,7 @@ class Executor {
   void move(const RobotState& state, double dt) noexcept;
   void move_base(const RobotState& state, double dt) noexcept;
   void follow_base(const RobotState& state, double dt) noexcept;
+  void note_tracking(const RobotState& state) noexcept;
   void move_legs(const RobotState& state, double dt) noexcept;
   void set_joints(const RobotState& state, double dt) noexcept;
   void set_efforts(const RobotState& state, double dt) noexcept;
@@ -124,6 +125,7 @@ class Executor {
   LegArray<LegTrig> trig_;           ///< of the joint targets
   LegArray<LegJoints> last_change_;  ///< of the joint targets in the last tick [rad]
   LegArray<bool> reachable_;
+  LegArray<double> tracking_error_;  ///< of the measured feet from the last set points [m]
   BaseLane base_;
   BaseAutoCommand base_command_;
   BaseGoal base_goal_;

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <hexagait/executor/leg_lane.hpp>
+#include <hexagait/executor/tick_motion.hpp>
 
 namespace hexagait {
 namespace {
 
-// Least time-to-go in the minimum-jerk law; bounds its gains [s].
-constexpr double kMinTimeToGo = 0.05;
+// Has a timer that counts in control periods reached its time?
+bool elapsed(double time, double limit) { return time > limit - kTimeTolerance; }
 
 void enter(LegLane& lane, LegPhase phase) {
   lane.phase = phase;
@@ -29,13 +30,6 @@ void ramp(double& value, double target, double step) {
   value += std::clamp(target - value, -step, step);
 }
 
-// (swing 1): the jerk that would bring a point at distance `error` from its target to rest there in
-// `time_to_go`. Re-solved in every tick, so the target may move.
-double jerk_to(double error, double velocity, double acceleration, double time_to_go) {
-  const double T = std::max(time_to_go, kMinTimeToGo);
-  return (60.0 * error / T - 36.0 * velocity) / (T * T) - 9.0 * acceleration / T;
-}
-
 double height_of(const LegLane& lane, const Pose& X_OB) {
   return X_OB.R.row(2).dot(lane.p_BF) + X_OB.p.z();
 }
@@ -53,26 +47,50 @@ Vector2 way_to_go(const LegLane& lane, const Pose& X_OB) {
   return (target - p_OF).head<2>();
 }
 
-void move_sideways(LegLane& lane, const Vector2& way, double dt, const SwingParams& params) {
-  lane.transfer_clock += dt;
+// Moves the foot along one axis of odom.
+void move(LegLane& lane, int axis, const AxisMotion& motion, Vector3& way_O) {
+  way_O[axis] += motion.way;
+  lane.v_O[axis] = motion.v;
+  lane.a_O[axis] = motion.a;
+}
+
+void move_to(LegLane& lane, int axis, double error, double time_left, double dt, Vector3& way_O) {
+  move(lane, axis, minimum_jerk_tick(error, lane.v_O[axis], lane.a_O[axis], time_left, dt), way_O);
+}
+
+void move_sideways(LegLane& lane, const Vector2& way, double dt, const SwingParams& params,
+                   Vector3& way_O) {
   const double T = time_to_go(lane, way.norm(), params);
-  for (int k = 0; k < 2; ++k) lane.a_O[k] += dt * jerk_to(way[k], lane.v_O[k], lane.a_O[k], T);
+  for (int k = 0; k < 2; ++k) move_to(lane, k, way[k], T, dt, way_O);
+  lane.transfer_clock += dt;
 }
 
-void move_up(LegLane& lane, double way, double time_left, double dt) {
-  lane.a_O.z() += dt * jerk_to(way, lane.v_O.z(), lane.a_O.z(), time_left);
+void stop_sideways(LegLane& lane, double dt, Vector3& way_O) {
+  for (int k = 0; k < 2; ++k) move(lane, k, braking_tick(lane.v_O[k], lane.a_O[k], dt), way_O);
 }
 
-// Slow at the expected ground and faster away from it: above, the foot brakes towards it; below, it
-// searches for the ground.
-void move_down(LegLane& lane, double height, double dt, const SwingParams& params) {
-  const double off = std::abs(height - lane.step.p_OT.z()) - params.touchdown_margin;
-  const double bound = height > lane.step.p_OT.z() ? params.descent_speed : params.search_speed;
-  const double speed =
-      std::min(bound, std::sqrt(params.touchdown_speed * params.touchdown_speed +
-                                params.vertical_acceleration * std::max(0.0, off)));
-  const double change = params.vertical_acceleration * dt;
-  lane.a_O.z() = std::clamp(-speed - lane.v_O.z(), -change, change) / dt;
+// Speed of the descent at the end of the tick, u₁ > 0. Around the expected ground it is slow;
+// towards that zone it falls, and below it rises, with the height h off its edge:
+//
+//     u₁² = u_t² + a h₁,   h₁ = h₀ ∓ ½ (u₀ + u₁) dt                                      (swing 3)
+//
+// of which u₁ is solved for. So the foot has this speed at this height, whatever the period.
+double descent_speed(double off, double u0, double sign, double bound, double dt,
+                     const SwingParams& params) {
+  const double a = params.vertical_acceleration, slow = params.touchdown_speed;
+  if (off + sign * 0.5 * (u0 + slow) * dt <= 0.0) return slow;
+  const double half = 0.25 * a * dt, h = off + sign * 0.5 * u0 * dt;
+  return std::min(bound, sign * half + std::sqrt(half * half + slow * slow + a * h));
+}
+
+void move_down(LegLane& lane, double height, double dt, const SwingParams& params, Vector3& way_O) {
+  const double above = height - lane.step.p_OT.z(), off = std::abs(above) - params.touchdown_margin;
+  const double u0 = std::max(0.0, -lane.v_O.z());
+  const double speed = above > 0.0 ? descent_speed(off, u0, -1.0, params.descent_speed, dt, params)
+                                   : descent_speed(off, u0, 1.0, params.search_speed, dt, params);
+  const double most = params.vertical_acceleration * dt;
+  const double v = lane.v_O.z(), change = std::clamp(-speed - v, -most, most);
+  move(lane, 2, {(v + 0.5 * change) * dt, v + change, change / dt}, way_O);
 }
 
 void land(LegLane& lane) {
@@ -99,7 +117,7 @@ void support(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB
   ramp(lane.load, lost ? 0.0 : 1.0, dt / params.load_time);
   if (!lane.confirmed) {
     lane.with_contact = sensed.contact ? lane.with_contact + dt : 0.0;
-    lane.confirmed = lane.touched_down = lane.with_contact >= params.confirm_time;
+    lane.confirmed = lane.touched_down = elapsed(lane.with_contact, params.confirm_time);
   }
   if (lane.without_contact > (lane.confirmed ? params.regain_time : params.lost_time)) {
     begin_step(lane, params.reflexes ? LegPhase::descend : LegPhase::search, X_OB);
@@ -118,17 +136,20 @@ void unload(LegLane& lane, double dt, const Pose& X_OB, const SwingParams& param
   enter(lane, LegPhase::lift);
 }
 
-void swing(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
-           const SwingParams& params) {
+Vector3 swing(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
+              const SwingParams& params) {
   const double height = height_of(lane, X_OB);
   const Vector2 way = way_to_go(lane, X_OB);
-  const double risen = height - lane.p_OL.z();
+  // What happens between two ticks counts in the tick that is nearer to it: half a tick ahead.
+  const double risen = height + 0.5 * dt * lane.v_O.z() - lane.p_OL.z();
   const bool sideways =
       lane.transfer_clock > 0.0 || risen > params.clearance_share * lane.step.profile_height;
+  const double rise_left = lane.apex_z - height;
   lane.cleared = lane.cleared || !sensed.contact;
 
-  if (sideways) move_sideways(lane, way, dt, params);
-  move_up(lane, lane.apex_z - height, params.lift_time - lane.time, dt);
+  Vector3 way_O = Vector3::Zero();
+  if (sideways) move_sideways(lane, way, dt, params, way_O);
+  move_to(lane, 2, rise_left, params.lift_time - (lane.time - dt), dt, way_O);
 
   const bool blocked = sensed.contact || sensed.tracking_error > params.blocked_error;
   if (sideways && lane.cleared && blocked) {
@@ -136,34 +157,40 @@ void swing(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
   } else if (lane.phase == LegPhase::lift && sideways) {
     lane.phase = LegPhase::transfer;  // without enter(): lane.time still paces the rise
   } else if (lane.phase == LegPhase::transfer &&
-             time_to_go(lane, way.norm(), params) < params.overlap_time &&
-             lane.apex_z - height < 0.3 * lane.step.profile_height) {
+             time_to_go(lane, way.norm(), params) - 0.5 * dt < params.overlap_time &&
+             rise_left < 0.3 * lane.step.profile_height) {
     enter(lane, LegPhase::descend);
   }
+  return way_O;
 }
 
-void descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
-             const SwingParams& params) {
+Vector3 descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
+                const SwingParams& params) {
   const double height = height_of(lane, X_OB);
+  Vector3 way_O = Vector3::Zero();
   lane.cleared = lane.cleared || !sensed.contact;
   const bool found = sensed.contact && lane.cleared;
-  if (found) return land(lane);
+  if (found) return land(lane), way_O;
   if (!sensed.reachable || sensed.tracking_error > params.blocked_error) {
     lane.reach_fraction *= 0.6;
-    return retreat(lane, params);
+    return retreat(lane, params), way_O;
   }
 
   // Straight down over the last centimetres, so that the foot does not slide.
   const bool committed = height < lane.step.p_OT.z() + params.commit_height;
-  move_sideways(lane, committed ? Vector2::Zero() : way_to_go(lane, X_OB), dt, params);
-  move_down(lane, height, dt, params);
+  if (committed)
+    stop_sideways(lane, dt, way_O);
+  else
+    move_sideways(lane, way_to_go(lane, X_OB), dt, params, way_O);
+  move_down(lane, height, dt, params, way_O);
+  return way_O;
 }
 
 // (plan 1)
 void follow_curve(LegLane& lane, LegPlan& plan, const Pose& X_OB, double dt, double rate,
                   const SwingParams& params) {
   const PointState to = plan.foot.along(lane.time);
-  const double back = params.follow_rate * dt;
+  const double back = decay_share(params.follow_rate * dt);
   if (plan.in_body) {
     lane.p_BF += to.p - lane.p_plan + back * (lane.p_plan - lane.p_BF);
     lane.v_O = X_OB.R * (rate * to.v);
@@ -178,30 +205,37 @@ void follow_curve(LegLane& lane, LegPlan& plan, const Pose& X_OB, double dt, dou
 }
 
 // Moves against the surface normal until there is contact.
-void search(LegLane& lane, const LegSensed& sensed, double dt, const SwingParams& params) {
+Vector3 search(LegLane& lane, const LegSensed& sensed, double dt, const SwingParams& params) {
   lane.cleared = lane.cleared || !sensed.contact;
-  if (sensed.contact && lane.cleared) return land(lane);
+  if (sensed.contact && lane.cleared) return land(lane), Vector3::Zero();
   if (!sensed.reachable || lane.time > params.search_time) {
     lane.exhausted = true;
-    return enter(lane, LegPhase::hold);
+    return enter(lane, LegPhase::hold), Vector3::Zero();
   }
-  const Vector3 change = -params.search_speed * lane.normal_O - lane.v_O;
-  const double most = params.vertical_acceleration * dt;
-  lane.a_O = change * (std::min(1.0, most / std::max(change.norm(), 1e-12)) / dt);
+  // The velocity changes along a straight line.
+  const Vector3 before = lane.v_O, change = -params.search_speed * lane.normal_O - before;
+  const double size = change.norm();
+  if (size <= 0.0) return dt * before;
+  const AxisMotion along = slewing_tick(0.0, size, params.vertical_acceleration, dt);
+  lane.v_O = before + change * (along.v / size);
+  lane.a_O = change * (along.a / size);
+  return dt * before + change * (along.way / size);
 }
 
-void step_back(LegLane& lane, double dt, const Pose& X_OB, const SwingParams& params) {
+Vector3 step_back(LegLane& lane, double dt, const Pose& X_OB, const SwingParams& params) {
   const Vector2 back = (lane.p_OL - X_OB * lane.p_BF).head<2>();
   const double distance = back.norm();
   const Vector2 way = distance > 0.0 ? Vector2(back * std::min(1.0, params.retreat_back / distance))
                                      : Vector2::Zero();
-  const double T = params.retreat_time - lane.time;
-  for (int k = 0; k < 2; ++k) lane.a_O[k] += dt * jerk_to(way[k], lane.v_O[k], lane.a_O[k], T);
-  move_up(lane, lane.apex_z - height_of(lane, X_OB), T, dt);
-  if (lane.time > params.retreat_time) {
+  const double T = params.retreat_time - (lane.time - dt);
+  Vector3 way_O = Vector3::Zero();
+  for (int k = 0; k < 2; ++k) move_to(lane, k, way[k], T, dt, way_O);
+  move_to(lane, 2, lane.apex_z - height_of(lane, X_OB), T, dt, way_O);
+  if (elapsed(lane.time, params.retreat_time)) {
     enter(lane, LegPhase::transfer);
     lane.cleared = false;
   }
+  return way_O;
 }
 
 }  // namespace
@@ -284,6 +318,7 @@ void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt
   lane.lifted = lane.phase == LegPhase::unload && lane.time == 0.0;
   lane.touched_down = false;
   lane.time += dt;
+  Vector3 way_O = Vector3::Zero();  // displacement over the ground in this tick
   switch (lane.phase) {
     case LegPhase::support:
       return support(lane, sensed, dt, X_OB, params);
@@ -291,16 +326,16 @@ void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt
       return unload(lane, dt, X_OB, params);
     case LegPhase::lift:
     case LegPhase::transfer:
-      swing(lane, sensed, dt, X_OB, params);
+      way_O = swing(lane, sensed, dt, X_OB, params);
       break;
     case LegPhase::descend:
-      descend(lane, sensed, dt, X_OB, params);
+      way_O = descend(lane, sensed, dt, X_OB, params);
       break;
     case LegPhase::retreat:
-      step_back(lane, dt, X_OB, params);
+      way_O = step_back(lane, dt, X_OB, params);
       break;
     case LegPhase::search:
-      search(lane, sensed, dt, params);
+      way_O = search(lane, sensed, dt, params);
       break;
     case LegPhase::follow:  // see follow()
     case LegPhase::hold:
@@ -309,10 +344,7 @@ void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt
       break;
   }
   if (lane.phase != LegPhase::support) ramp(lane.load, 0.0, dt / params.unload_time);
-
-  // Semi-implicit Euler: the new velocity moves the set point.
-  lane.v_O += dt * lane.a_O;
-  lane.p_BF += X_OB.R.transpose() * (dt * lane.v_O);
+  lane.p_BF += X_OB.R.transpose() * way_O;
 }
 
 }  // namespace hexagait

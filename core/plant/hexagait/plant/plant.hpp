@@ -22,9 +22,10 @@ enum class ControlMode : std::uint8_t {
   effort,    ///< at `effort`; the position is free
 };
 
-/// The commands to the robot's servos until the next ones.
+/// The commands to the robot's servos until the next ones: where the joints are to be at the end of
+/// the control period, and the constant velocities that take them there from their last targets.
 struct JointTargets {
-  LegArray<LegJoints> q;         ///< positions [rad]
+  LegArray<LegJoints> q;         ///< positions at the end of the period [rad]
   LegArray<LegJoints> qd;        ///< velocities, feed-forward [rad/s]
   LegArray<LegJoints> effort;    ///< efforts, feed-forward (load compensation) [N m]
   LegArray<ControlMode> mode{};  ///< per leg; if of size 0, all are driven by position

@@ -10,6 +10,8 @@ const char* to_string(Fault fault) noexcept {
   switch (fault) {
     case Fault::none:
       return "none";
+    case Fault::not_started:
+      return "not started";
     case Fault::bad_measurement:
       return "bad measurement";
     case Fault::plant_late:

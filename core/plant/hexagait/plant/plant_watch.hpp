@@ -10,6 +10,7 @@ namespace hexagait {
 /// Why a controller has stopped; it does not move again before the next start().
 enum class Fault : std::uint8_t {
   none,
+  not_started,      ///< start() has not been called yet
   bad_measurement,  ///< a joint position is no angle, or the number of legs is wrong
   plant_late,       ///< no measurement for longer than the limit
   plant_closed,     ///< the plant is gone

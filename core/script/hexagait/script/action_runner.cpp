@@ -1,12 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <hexagait/balance/support_polygon.hpp>
+#include <hexagait/executor/check_params.hpp>
 #include <hexagait/script/action_runner.hpp>
 
 namespace hexagait {
 namespace {
 
-RunnerParams without_reflexes(RunnerParams params) {
+RunnerParams checked_without_reflexes(RunnerParams params) {
+  Violations violations("action runner");
+  check_controller(violations, params.control_dt, params.late_limit, params.executor);
+  violations.throw_if_any();
   params.executor.swing.reflexes = false;
   return params;
 }
@@ -15,10 +19,14 @@ RunnerParams without_reflexes(RunnerParams params) {
 
 ActionRunner::ActionRunner(const RobotModel& model, const RunnerParams& params)
     : model_(&model),
-      params_(without_reflexes(params)),
+      params_(checked_without_reflexes(params)),
       estimator_(model, params.sensors),
       sequencer_(model, params.sequencer),
-      executor_(model, params_.executor) {}
+      executor_(model, params_.executor) {
+  watch_.stop(Fault::not_started);
+  record_.fault = watch_.fault();
+  record_.desired.targets = executor_.targets();
+}
 
 void ActionRunner::start(const Measurement& measurement, RestsOn rests_on) {
   StateEstimator estimator(*model_, params_.sensors);
@@ -45,9 +53,17 @@ const ActionRecord& ActionRunner::tick(PlantStatus status,
     if (executor_.failed()) watch_.stop(Fault::bad_command);
   } else {
     executor_.hold();
+    if (watch_.fault() == Fault::not_started) return wait_for_start(measurement);
   }
   if (watch_.fault() != Fault::none) sequencer_.give_up();
   report();
+  return record_;
+}
+
+const ActionRecord& ActionRunner::wait_for_start(const Measurement& measurement) noexcept {
+  record_.fault = watch_.fault();
+  record_.desired.targets = executor_.targets();
+  if (valid(measurement, *model_)) record_.desired.targets.q = measurement.q;
   return record_;
 }
 

@@ -9,7 +9,7 @@
 namespace hexagait {
 
 struct RunnerParams {
-  double control_dt = 0.002;  ///< control period [s]
+  double control_dt = 0.002;  ///< control period [s], 1 to 20 ms
   SensorMask sensors;
   SequencerParams sequencer;
   ExecutorParams executor;
@@ -50,6 +50,7 @@ struct ActionRecord {
 /// nor allocates.
 class ActionRunner {
  public:
+  /// @throws InvalidInput  listing all parameters that are out of range
   explicit ActionRunner(const RobotModel& model, const RunnerParams& params = {});
   explicit ActionRunner(const RobotModel&&, const RunnerParams& = {}) = delete;
 
@@ -74,6 +75,8 @@ class ActionRunner {
   /// Poses of map and the registered frames; may be changed between any two ticks.
   [[nodiscard]] Frames& frames() { return frames_; }
 
+  /// One control period. Before start() it only holds the joints where they are measured, with
+  /// Fault::not_started.
   const ActionRecord& tick(PlantStatus status, const Measurement& measurement) noexcept;
 
   [[nodiscard]] bool idle() const { return sequencer_.idle(); }
@@ -84,6 +87,7 @@ class ActionRunner {
   [[nodiscard]] const RunnerParams& params() const { return params_; }
 
  private:
+  const ActionRecord& wait_for_start(const Measurement& measurement) noexcept;
   void report() noexcept;
 
   const RobotModel* model_;

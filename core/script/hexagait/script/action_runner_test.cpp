@@ -155,5 +155,33 @@ TEST(ActionRunner, EndsAtAnEmergencyStop) {
   EXPECT_EQ(robot.record().fault, Fault::emergency_stop);
 }
 
+TEST(ActionRunner, HoldsTheRobotWhereItIsBeforeItIsStarted) {
+  ScriptedRobot robot(argos());
+  ActionRunner runner(argos());
+  const ActionRecord& record = runner.tick(PlantStatus::fresh, robot.measurement);
+  EXPECT_EQ(record.fault, Fault::not_started);
+  ASSERT_EQ(record.desired.targets.q.size(), 6);
+  for (LegId i = 0; i < 6; ++i) {
+    EXPECT_EQ(record.desired.targets.q[i], robot.measurement.q[i]);
+    EXPECT_EQ(record.desired.targets.qd[i].norm(), 0.0);
+  }
+  runner.start(robot.measurement);
+  EXPECT_EQ(runner.tick(PlantStatus::fresh, robot.measurement).fault, Fault::none);
+}
+
+TEST(ActionRunner, RefusesAControlPeriodOutOfRange) {
+  for (const double dt : {0.0, -0.01, 0.0009, 0.021, std::nan("")}) {
+    RunnerParams params;
+    params.control_dt = dt;
+    try {
+      const ActionRunner runner(argos(), params);
+      ADD_FAILURE() << dt;
+    } catch (const InvalidInput& error) {
+      EXPECT_NE(std::string(error.what()).find("control_dt [s]: is"), std::string::npos);
+      EXPECT_NE(std::string(error.what()).find("1 to 20 ms"), std::string::npos) << error.what();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace hexagait

@@ -127,8 +127,8 @@ void Robot::move_leg_to(LegId leg, const Pose& X_WB, const LegJoints& q) {
 // So only those near their limit in the last step are bounded. If another one exceeds its limit,
 // the step is undone and repeated with all bounds. A solution that violates no bound is also the
 // solution of the bounded problem, so this affects only the run time.
-void Robot::step(double age, const Vector3& force_W) {
-  servos_.command(age);
+void Robot::step(double to_come, const Vector3& force_W) {
+  servos_.command(to_come);
   servos_.bound(kNearLimit);
   save_bodies();
   step_world(force_W);

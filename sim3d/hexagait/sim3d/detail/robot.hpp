@@ -36,9 +36,9 @@ class Robot {
   [[nodiscard]] const Servos& servos() const { return servos_; }
 
   /// Takes one physics step of the world.
-  /// @param age      time since the servos' targets were set [s]
+  /// @param to_come  time from the start of the step to the end of the control period [s]
   /// @param force_W  external force at the base's centre of mass, world axes [N]
-  void step(double age, const Vector3& force_W);
+  void step(double to_come, const Vector3& force_W);
 
   [[nodiscard]] const std::vector<RobotShape>& shapes() const { return shapes_; }
   [[nodiscard]] Pose X_WB() const;

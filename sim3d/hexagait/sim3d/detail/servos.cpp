@@ -26,9 +26,9 @@ void Servos::add(dJointID hinge, LegId leg, Eigen::Index joint, const JointLimit
   servos_.push_back({.hinge = hinge, .leg = leg, .joint = joint, .limits = limits, .gain = gain_});
 }
 
-void Servos::command(double age) {
+void Servos::command(double to_come) {
   for (Servo& servo : servos_) {
-    const Motor motor = motor_of(servo, age);
+    const Motor motor = motor_of(servo, to_come);
     servo.v = std::clamp(motor.v, -kFastestMotor, kFastestMotor);
     dJointSetHingeParam(servo.hinge, dParamVel, servo.v);
     if (motor.gain == servo.gain) continue;
@@ -37,7 +37,7 @@ void Servos::command(double age) {
   }
 }
 
-Servos::Motor Servos::motor_of(const Servo& servo, double age) const {
+Servos::Motor Servos::motor_of(const Servo& servo, double to_come) const {
   const auto of = [&servo](const LegArray<LegJoints>& all) { return all[servo.leg][servo.joint]; };
   const double q = of(q_), qd = of(targets_.qd), effort = of(targets_.effort);
   const auto within = [&servo](double angle) {
@@ -46,7 +46,7 @@ Servos::Motor Servos::motor_of(const Servo& servo, double age) const {
   const bool moded = servo.leg < targets_.mode.size();
   const ControlMode mode = moded ? targets_.mode[servo.leg] : ControlMode::position;
   if (mode == ControlMode::position)
-    return {qd + (kp_ * (within(of(targets_.q) + age * qd) - q) + effort) / gain_, gain_};
+    return {qd + (kp_ * (within(of(targets_.q) - to_come * qd) - q) + effort) / gain_, gain_};
 
   // A joint driven against its limit is held there by the position servo.
   const bool by_velocity = mode == ControlMode::velocity;

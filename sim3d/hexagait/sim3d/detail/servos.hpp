@@ -30,11 +30,12 @@ class Servos {
   /// Adds the servo of a hinge with the same zero as the joint.
   void add(dJointID hinge, LegId leg, Eigen::Index joint, const JointLimits& limits);
 
-  /// Sets the targets; positions advance at `targets.qd`.
+  /// Sets the targets; positions reach `targets.q` at the end of the control period, at
+  /// `targets.qd`.
   void set_targets(const JointTargets& targets) { targets_ = targets; }
 
-  /// Commands the motors for one physics step, `age` [s] after the targets were set.
-  void command(double age);
+  /// Commands the motors for one physics step, `to_come` [s] before the end of the control period.
+  void command(double to_come);
 
   /// Makes the solver enforce the effort limits of exactly those servos whose last effort was at
   /// least this fraction of their limit.
@@ -66,7 +67,7 @@ class Servos {
   struct Motor {
     double v, gain;
   };
-  [[nodiscard]] Motor motor_of(const Servo& servo, double age) const;
+  [[nodiscard]] Motor motor_of(const Servo& servo, double to_come) const;
 
   double kp_, gain_;  // gain = Kd + h Kp
   double kv_, friction_;

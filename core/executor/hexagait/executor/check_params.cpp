@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <hexagait/executor/check_params.hpp>
+#include <hexagait/plant/control_period.hpp>
+#include <string>
+#include <utility>
+
+namespace hexagait {
+namespace {
+
+using Named = std::pair<const char*, double>;
+
+void check_swing(Violations& violations, const SwingParams& p) {
+  const Named positive[] = {
+      {"unload_time [s]", p.unload_time},
+      {"load_time [s]", p.load_time},
+      {"lift_time [s]", p.lift_time},
+      {"transfer_time [s]", p.transfer_time},
+      {"max_speed [m/s]", p.max_speed},
+      {"descent_speed [m/s]", p.descent_speed},
+      {"touchdown_speed [m/s]", p.touchdown_speed},
+      {"search_speed [m/s]", p.search_speed},
+      {"vertical_acceleration [m/s²]", p.vertical_acceleration},
+      {"retreat_time [s]", p.retreat_time},
+      {"blocked_error [m]", p.blocked_error},
+      {"search_time [s]", p.search_time},
+  };
+  const Named not_negative[] = {
+      {"clearance_share", p.clearance_share},       {"overlap_time [s]", p.overlap_time},
+      {"touchdown_margin [m]", p.touchdown_margin}, {"commit_height [m]", p.commit_height},
+      {"retreat_back [m]", p.retreat_back},         {"retreat_up [m]", p.retreat_up},
+      {"confirm_time [s]", p.confirm_time},         {"lost_time [s]", p.lost_time},
+      {"regain_time [s]", p.regain_time},           {"follow_rate [1/s]", p.follow_rate},
+  };
+  for (const auto& [name, value] : positive)
+    require(violations, name, value, std::isfinite(value) && value > 0.0, "greater than 0");
+  for (const auto& [name, value] : not_negative)
+    require(violations, name, value, std::isfinite(value) && value >= 0.0, "0 or greater");
+}
+
+void check_base(Violations& violations, const BaseParams& p) {
+  const Named positive[] = {{"acceleration [m/s²]", p.acceleration},
+                            {"outer_radius [m]", p.outer_radius}};
+  const Named not_negative[] = {
+      {"max_speed [m/s]", p.max_speed},
+      {"advance_rate [1/s]", p.advance_rate},
+      {"correction_rate [1/s]", p.correction_rate},
+      {"correction_speed [m/s]", p.correction_speed},
+      {"correction_turn [rad/s]", p.correction_turn},
+      {"posture_rate [1/s]", p.posture_rate},
+      {"height_speed [m/s]", p.height_speed},
+      {"tilt_speed [rad/s]", p.tilt_speed},
+  };
+  for (const auto& [name, value] : positive)
+    require(violations, name, value, std::isfinite(value) && value > 0.0, "greater than 0");
+  for (const auto& [name, value] : not_negative)
+    require(violations, name, value, std::isfinite(value) && value >= 0.0, "0 or greater");
+}
+
+}  // namespace
+
+void require(Violations& violations, const char* name, double value, bool holds,
+             const char* must_be) {
+  if (!holds) violations.add(name, "is " + in_words(value) + "; it must be " + must_be);
+}
+
+void check_controller(Violations& violations, double control_dt, double late_limit,
+                      const ExecutorParams& params) {
+  require(violations, "control_dt [s]", control_dt, is_control_period(control_dt),
+          "from 0.001 to 0.02 (1 to 20 ms)");
+  require(violations, "late_limit [s]", late_limit, late_limit >= 0.0, "0 or greater");
+  require(violations, "gravity [m/s²]", params.gravity,
+          std::isfinite(params.gravity) && params.gravity >= 0.0, "0 or greater");
+  check_swing(violations, params.swing);
+  check_base(violations, params.base);
+}
+
+}  // namespace hexagait
