@@ -56,6 +56,8 @@ const char* why(Cause cause) {
       return "a foot or the base was to go where the legs don't reach";
     case Cause::unstable:
       return "the legs that would have stood don't carry the centre of mass";
+    case Cause::not_finite:
+      return "a number of a command, or of a frame's pose, is none or is absurd";
     case Cause::plant:
       return "the robot stopped";
   }
@@ -93,6 +95,8 @@ const char* kind(Finding::Kind kind) {
       return "narrow";
     case Finding::Kind::too_fast:
       return "too_fast";
+    case Finding::Kind::not_finite:
+      return "not_finite";
     case Finding::Kind::no_result:
       return "no_result";
   }

@@ -46,6 +46,8 @@ const char* to_string(Cause cause) noexcept {
       return "out of reach";
     case Cause::unstable:
       return "unstable";
+    case Cause::not_finite:
+      return "not finite";
     case Cause::plant:
       return "plant";
   }

@@ -24,7 +24,10 @@ enum class Cause : std::uint8_t {
   lost_contact,  ///< a support leg lost the ground and did not find it again
   out_of_reach,  ///< a foot or the base should go where the legs cannot reach
   unstable,      ///< the centre of mass would be outside the support polygon of the step
-  plant,         ///< the plant has a Fault
+  /// A number of a command, or of the pose of a frame, is not finite, or so large that the motion
+  /// would not be.
+  not_finite,
+  plant,  ///< the plant or the controller has a Fault
 };
 
 [[nodiscard]] const char* to_string(ActionStatus status) noexcept;

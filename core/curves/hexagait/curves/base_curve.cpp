@@ -100,6 +100,15 @@ void BaseCurve::plan(const BaseState& start, std::span<const BaseKnot> knots,
   }
 }
 
+bool BaseCurve::in_range() const noexcept {
+  return std::ranges::all_of(nodes_, [](const Node& node) {
+    const auto& [X_AB, V_B] = node.state;
+    return node.time <= kLargestMotion && hexagait::in_range(X_AB.p) &&
+           hexagait::in_range(X_AB.R) && hexagait::in_range(V_B.v) && hexagait::in_range(V_B.w) &&
+           hexagait::in_range(node.phi_2);
+  });
+}
+
 double BaseCurve::duration() const noexcept { return nodes_.empty() ? 0.0 : nodes_.back().time; }
 
 BaseState BaseCurve::at(double t) const noexcept {

@@ -56,6 +56,8 @@ class BaseCurve {
   void plan(const BaseState& start, std::span<const BaseKnot> knots,
             const Twist& end_V_B = {}) noexcept;
 
+  /// Is the motion finite at any time?
+  [[nodiscard]] bool in_range() const noexcept;
   [[nodiscard]] double duration() const noexcept;
   /// @param t  since the start [s], clamped into [0, duration()]
   [[nodiscard]] BaseState at(double t) const noexcept;

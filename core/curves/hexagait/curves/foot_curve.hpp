@@ -66,6 +66,8 @@ class FootCurve {
   /// only the segments near it; may overshoot.
   void plan_trajectory(const PointState& start, std::span<const FootKnot> knots) noexcept;
 
+  /// Is the motion finite at any time?
+  [[nodiscard]] bool in_range() const noexcept { return spline_.in_range(); }
   [[nodiscard]] double duration() const noexcept { return spline_.duration(); }
   /// @param t  since the start [s], clamped into [0, duration()]
   [[nodiscard]] PointState at(double t) const noexcept { return spline_.at(t); }

@@ -110,6 +110,11 @@ void JointCurve::plan(const JointState& start, std::span<const JointKnot> knots)
   }
 }
 
+bool JointCurve::in_range() const noexcept {
+  const auto finite = [](const LegJoints& effort) { return hexagait::in_range(effort); };
+  return splines_[0].in_range() && splines_[1].in_range() && std::ranges::all_of(efforts_, finite);
+}
+
 JointState JointCurve::at(double t) const noexcept {
   JointState result;
   for (int i = 0; i < kMaxLegJoints; i += 3) {

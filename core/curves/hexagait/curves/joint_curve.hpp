@@ -62,6 +62,8 @@ class JointCurve {
   /// rest it is the minimum-jerk motion.
   void plan(const JointState& start, std::span<const JointKnot> knots) noexcept;
 
+  /// Is the motion finite at any time?
+  [[nodiscard]] bool in_range() const noexcept;
   [[nodiscard]] double duration() const noexcept { return splines_[0].duration(); }
   /// @param t  since the start [s], clamped into [0, duration()]
   [[nodiscard]] JointState at(double t) const noexcept;

@@ -33,7 +33,9 @@ Executor::Executor(const RobotModel& model, const ExecutorParams& params)
 }
 
 void Executor::reset(const RobotState& state, RestsOn rests_on) {
+  const int foot_knots = foot_knots_, joint_knots = joint_knots_, base_knots = base_knots_;
   *this = Executor(*model_, params_);
+  reserve(foot_knots, joint_knots, base_knots);
   for (LegId i = 0; i < legs_.size(); ++i) {
     if (rests_on == RestsOn::belly) {
       legs_[i].phase = LegPhase::hold;
@@ -51,11 +53,14 @@ void Executor::command(const FootstepCommand& step, const RobotState& state) noe
 }
 
 void Executor::reserve(int foot_knots, int joint_knots, int base_knots) {
+  foot_knots_ = std::max(foot_knots_, foot_knots);
+  joint_knots_ = std::max(joint_knots_, joint_knots);
+  base_knots_ = std::max(base_knots_, base_knots);
   for (LegPlan& plan : plans_) {
-    plan.foot.reserve(foot_knots);
-    plan.joints.reserve(joint_knots);
+    plan.foot.reserve(foot_knots_);
+    plan.joints.reserve(joint_knots_);
   }
-  base_plan_.curve.reserve(base_knots);
+  base_plan_.curve.reserve(base_knots_);
 }
 
 void Executor::command(LegId leg, const LegPlan& plan, const RobotState& state,
@@ -82,6 +87,13 @@ void Executor::interrupt_base() noexcept {
 }
 
 const JointTargets& Executor::advance(const RobotState& state, double dt) noexcept {
+  failed_ = failed_ || !(0.0 < dt && dt < std::numeric_limits<double>::infinity());
+  if (!failed_) move(state, dt);
+  if (failed_) hold();
+  return targets_;
+}
+
+void Executor::move(const RobotState& state, double dt) noexcept {
   move_base(state, dt);          // twist of the base
   update_base_error(state, dt);  // its error from the plan, for the virtual model
   note_tracking(state);          // errors of the feet, before their set points move on
@@ -89,7 +101,6 @@ const JointTargets& Executor::advance(const RobotState& state, double dt) noexce
   move_legs(state, dt);          // motion of the feet over the ground
   set_joints(state, dt);
   set_efforts(state, dt);
-  return targets_;
 }
 
 void Executor::move_base(const RobotState& state, double dt) noexcept {
@@ -208,12 +219,13 @@ void Executor::carry_with_ground(const RobotState& state, double dt) noexcept {
   const Twist V = base_.twist();
   const Vector3 turn = V.w * dt;
   const Vector3 roll_arm = model_->foot_radius * state.X_OB.R.row(2).transpose();
+  const bool by_effort = params_.controller == WholeBodyController::virtual_model &&
+                         contact_forces_ == QpStatus::solved;
   for (LegId i = 0; i < legs_.size(); ++i) {
     if (!legs_[i].with_ground()) continue;
     Vector3& p = legs_[i].p_BF;
     // The set point of a foot driven by effort is its measured position.
-    if (params_.controller == WholeBodyController::virtual_model && legs_[i].on_ground())
-      p = state.p_BF[i];
+    if (by_effort && legs_[i].on_ground()) p = state.p_BF[i];
     const Vector3 shift = -(V.v * dt + turn.cross(p));
     p += shift - 0.5 * turn.cross(shift);
     if (legs_[i].on_ground())
@@ -251,9 +263,13 @@ void Executor::set_joints(const RobotState& state, double dt) noexcept {
 
     // Limit the change to what the servos can do in one tick.
     LegJoints change = wanted.q - targets_.q[i];
-    bool limited = false;
+    bool limited = false;  // or not a number
     for (int k = 0; k < leg.num_joints(); ++k)
-      limited = limited || std::abs(change[k]) > leg.limits[k].velocity * dt;
+      limited = limited || !(std::abs(change[k]) <= leg.limits[k].velocity * dt);
+    if (limited && change.hasNaN()) {
+      failed_ = true;
+      continue;
+    }
     if (limited) {
       for (int k = 0; k < leg.num_joints(); ++k) {
         const double most = leg.limits[k].velocity * dt;
@@ -290,26 +306,48 @@ void Executor::set_efforts(const RobotState& state, double dt) noexcept {
     if (params_.controller == WholeBodyController::virtual_model)
       input.normal_B[i] = state.X_OB.R.transpose() * legs_[i].normal_O;
   }
-  const JointEfforts efforts =
+  JointEfforts efforts =
       joint_efforts(params_.controller, *model_, input, params_.gravity, params_.virtual_model);
-  targets_.effort = efforts.effort;
   contact_forces_ = efforts.status;
+  const bool solved = efforts.status == QpStatus::solved;
+  if (!solved)
+    efforts = joint_efforts(WholeBodyController::kinematic, *model_, input, params_.gravity,
+                            params_.virtual_model);
 
-  for (LegId i = 0; i < legs_.size(); ++i) {
+  for (LegId i = 0; i < n; ++i) {
     // The efforts of a plan in effort mode replace these; standing legs belong to the controller.
     if (params_.controller == WholeBodyController::virtual_model) {
-      if (targets_.mode[i] == ControlMode::effort) targets_.effort[i].setZero();
-      if (legs_[i].on_ground()) targets_.mode[i] = ControlMode::effort;
+      if (targets_.mode[i] == ControlMode::effort) efforts.effort[i].setZero();
+      if (legs_[i].on_ground() && solved) targets_.mode[i] = ControlMode::effort;
     }
+    add_planned_efforts(i, efforts.effort[i], state, dt);
+    set_effort(i, efforts.effort[i]);
+  }
+}
 
-    // Efforts that a plan adds are ramped.
-    const LegJoints wish = planned_effort(i, state);
-    if (is_zero(wish) && is_zero(planned_effort_[i])) continue;
-    for (int k = 0; k < model_->legs[i].num_joints(); ++k) {
-      const double most = model_->legs[i].limits[k].effort * dt / kEffortRamp;
-      planned_effort_[i][k] += std::clamp(wish[k] - planned_effort_[i][k], -most, most);
-    }
-    targets_.effort[i] += planned_effort_[i];
+// Efforts that a plan adds are ramped.
+void Executor::add_planned_efforts(LegId leg, LegJoints& effort, const RobotState& state,
+                                   double dt) noexcept {
+  const LegJoints wish = planned_effort(leg, state);
+  LegJoints& planned = planned_effort_[leg];
+  if (is_zero(wish) && is_zero(planned)) return;
+  for (int k = 0; k < model_->legs[leg].num_joints(); ++k) {
+    const double limit = model_->legs[leg].limits[k].effort, most = limit * dt / kEffortRamp;
+    const double change = std::clamp(wish[k], -limit, limit) - planned[k];
+    planned[k] += std::clamp(change, -most, most);
+  }
+  effort += planned;
+}
+
+// Within the joints' limits; the last ones if one is not a number.
+void Executor::set_effort(LegId leg, const LegJoints& effort) noexcept {
+  if (effort.hasNaN()) {
+    failed_ = true;
+    return;
+  }
+  for (int k = 0; k < model_->legs[leg].num_joints(); ++k) {
+    const double limit = model_->legs[leg].limits[k].effort;
+    targets_.effort[leg][k] = std::clamp(effort[k], -limit, limit);
   }
 }
 

@@ -33,7 +33,11 @@ struct ExecutorParams {
 ///
 /// Scripts send plans, motions over time, to the same lanes. A LegPlan in odom is tracked against
 /// odometry; one in the body frame or in joints moves with the body. No joint target ever changes
-/// by more than its velocity limit allows in a tick.
+/// by more than its velocity limit allows in a tick, and no effort is more than the joint's limit.
+///
+/// Targets are finite whatever is commanded: if they would not be, the executor has failed(). If the
+/// program of the virtual model's contact forces has no solution in a tick (contact_forces()), the
+/// efforts of that tick are those of the kinematic controller, and all joints are driven by position.
 ///
 /// A value: copy it to preview or to branch. advance() neither throws nor allocates. The robot
 /// model must outlive the executor.
@@ -43,7 +47,7 @@ class Executor {
   Executor(const RobotModel&&, const ExecutorParams&) = delete;
 
   /// Starts from the present state: all legs in support (on hold if the robot rests on its belly),
-  /// set points at the measured feet, base at rest.
+  /// set points at the measured feet, base at rest. Keeps the space that was reserved.
   void reset(const RobotState& state, RestsOn rests_on = RestsOn::feet);
 
   // Commands of a gait generator. They take effect in the next advance().
@@ -85,6 +89,9 @@ class Executor {
   [[nodiscard]] const BaseState& base_planned() const { return base_planned_; }
   [[nodiscard]] bool reachable(LegId leg) const { return reachable_[leg]; }
   [[nodiscard]] const JointTargets& targets() const { return targets_; }
+  /// Would targets not have been finite? Then a command or a parameter is not, or is absurd, and the
+  /// set points are lost: the last good targets are held until reset().
+  [[nodiscard]] bool failed() const { return failed_; }
   /// Was the program of the contact forces solved in the last tick? Always if kinematic.
   [[nodiscard]] QpStatus contact_forces() const { return contact_forces_; }
   [[nodiscard]] const ExecutorParams& params() const { return params_; }
@@ -97,12 +104,16 @@ class Executor {
 
  private:
   void carry_with_ground(const RobotState& state, double dt) noexcept;
+  void move(const RobotState& state, double dt) noexcept;
   void move_base(const RobotState& state, double dt) noexcept;
   void follow_base(const RobotState& state, double dt) noexcept;
   void note_tracking(const RobotState& state) noexcept;
   void move_legs(const RobotState& state, double dt) noexcept;
   void set_joints(const RobotState& state, double dt) noexcept;
   void set_efforts(const RobotState& state, double dt) noexcept;
+  void add_planned_efforts(LegId leg, LegJoints& effort, const RobotState& state,
+                           double dt) noexcept;
+  void set_effort(LegId leg, const LegJoints& effort) noexcept;
   void update_base_error(const RobotState& state, double dt) noexcept;
   [[nodiscard]] bool led_by_joints(LegId leg) const noexcept;
   [[nodiscard]] LegSolution wanted_joints(LegId leg, const RobotState& state) noexcept;
@@ -120,6 +131,7 @@ class Executor {
   BaseGoal base_goal_;
   JointTargets targets_;
 
+  bool failed_ = false;
   double rate_ = 1.0;
   LegArray<LegPlan> plans_;
   LegArray<LegJoints> planned_effort_;  ///< after ramping [N m]
@@ -132,6 +144,8 @@ class Executor {
   Pose X_OD_;
   BaseError base_error_;
   QpStatus contact_forces_ = QpStatus::solved;
+
+  int foot_knots_ = 0, joint_knots_ = 0, base_knots_ = 0;  ///< reserved
 };
 
 }  // namespace hexagait

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <hexagait/curves/base_curve.hpp>
 #include <hexagait/curves/foot_curve.hpp>
@@ -27,6 +28,15 @@ struct LegPlan {
   Vector3 force_O = Vector3::Zero();    ///< of the foot on the world, fed forward [N]
   Vector3 normal_O = Vector3::UnitZ();  ///< of the ground that is expected, unit vector
   bool lands = true;                    ///< the leg becomes a support leg at the end
+
+  /// Is the motion finite at any time?
+  [[nodiscard]] bool in_range() const {
+    const bool curve = kind == Kind::foot     ? foot.in_range()
+                       : kind == Kind::joints ? joints.in_range()
+                                              : true;
+    return curve && std::abs(duration) <= kLargestMotion && hexagait::in_range(force_O) &&
+           hexagait::in_range(normal_O);
+  }
 
   /// Does the leg move with the body?
   [[nodiscard]] bool with_body() const { return kind != Kind::foot || in_body; }

@@ -139,6 +139,51 @@ TEST(LoadActionRefuses, NumbersOfWhichMotionsWouldOverflow) {
   expect_refusals(faults);
 }
 
+// `@` stands for the number: at its bound it is read, beyond it refused.
+TEST(LoadActionRefuses, NumbersThatNoRobotComesNear) {
+  const std::string foot = "end_effector_target: {name: RF, target_position: {frame: odom, ";
+  const std::string place = foot + "position: [0, 0, 0]}, ", knee = "joint_target: {name: RF, ";
+  const std::string knots = "joint_trajectory: {name: LF, trajectory: {joint_names: [LF_yaw, ";
+  const std::string base = "base_target: {target: {frame: odom, ";
+  struct Bound {
+    std::string command, most, beyond, message;
+  };
+  const Bound bounds[] = {
+      {foot + "position: [0, @, 0]}}", "-1e7", "-1.1e7", "at most 1e+07 m is read"},
+      {place + "target_velocity: [0, @, 0]}", "100", "101", "at most 100 is read"},
+      {place + "target_acceleration: [0, @, 0]}", "-1e4", "-10001", "at most 10000 is read"},
+      {place + "target_force: [0, @, 0]}", "1e6", "1000001", "at most 1e+06 is read"},
+      {place + "average_velocity: @}", "100", "101", "at most 100 is read"},
+      {knee + "position: [0, @, 0]}", "36000deg", "36001deg", "at most 628.319 rad is read"},
+      {knee + "velocity: [0, @, 0]}", "1e4", "10001", "at most 10000 is read"},
+      {knee + "acceleration: [0, @, 0]}", "1e6", "1000001", "at most 1e+06 is read"},
+      {knee + "effort: [0, @, 0]}", "1e6", "1000001", "at most 1e+06 is read"},
+      {knots + "LF_hip, LF_knee], knots: [{time: @, positions: [0, 0, 0]}]}}", "1440min", "1441min",
+       "time: \"1441min\" is out of range; at most 86400 s is read"},
+      {base + "position: [0, 0, @], orientation: [0, 0, 0]}}", "1e7", "1.1e7", "at most 1e+07 m"},
+      {base + "position: [0, 0, 0], orientation: [0, 0, @]}}", "36000deg", "36001deg",
+       "at most 628.319 rad"},
+      {"base_auto: {height: @}", "100", "10001cm", "height: \"10001cm\" is out of range"},
+      {"wait: {duration: @}", "86400", "86401", "at most 86400 s is read"}};
+  for (const Bound& bound : bounds) {
+    const auto with = [&bound](const std::string& number) {
+      std::string command = bound.command;
+      return command.replace(command.find('@'), 1, number);
+    };
+    EXPECT_EQ(refusal_of(with(bound.most)), "") << bound.command;
+    EXPECT_THAT(refusal_of(with(bound.beyond)), HasSubstr(bound.message)) << bound.command;
+  }
+}
+
+// Poses of frames are bounded like all others.
+TEST(LoadActionRefuses, FramesOutOfRange) {
+  EXPECT_THAT(
+      refusal("adapt_coordinates:\n- transform: {source_frame: footprint, target_frame: map, "
+              "transform_in_source_frame: {position: [1e8, 0, 0], orientation: [0, 0, 0]}}\n"
+              "steps: [step: [base_auto: ]]"),
+      HasSubstr("bad.yaml:2:98: position: \"1e8\" is out of range; at most 1e+07 m"));
+}
+
 // A curve begins where the foot, the joints or the base are: a knot at 0 would be left out.
 TEST(LoadActionRefuses, KnotsAtTimeZero) {
   const Fault faults[] = {

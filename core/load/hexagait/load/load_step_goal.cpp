@@ -96,7 +96,7 @@ Footstep read_profile(YamlReader& yaml, const ActionWords& words, const LegMotio
   if (const auto target = yaml.require(profile, "target"))
     step.target = read_position(yaml, words, *target);
   step.profile_height =
-      number_but_0(yaml, profile, "height", kLength).value_or(step.profile_height);
+      number_but_0(yaml, profile, "height", kHeight).value_or(step.profile_height);
   step.duration = number_but_0(yaml, profile, "duration", kTime);
   const std::optional<YamlField> type = yaml.find(profile, "type");
   const bool is_default =

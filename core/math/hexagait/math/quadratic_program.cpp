@@ -203,6 +203,20 @@ class DualActiveSet {
 
 }  // namespace
 
+const char* to_string(QpStatus status) noexcept {
+  switch (status) {
+    case QpStatus::solved:
+      return "solved";
+    case QpStatus::infeasible:
+      return "infeasible";
+    case QpStatus::iteration_limit:
+      return "iteration limit";
+    case QpStatus::not_convex:
+      return "not convex";
+  }
+  return "?";
+}
+
 template <int Variables, int MaxVariables, int MaxConstraints>
 QpSolution<Variables, MaxVariables> solve(
     const QuadraticProgram<Variables, MaxVariables, MaxConstraints>& program) noexcept {

@@ -40,6 +40,8 @@ enum class QpStatus : std::uint8_t {
   not_convex,       ///< H is not numerically positive definite; x = 0
 };
 
+[[nodiscard]] const char* to_string(QpStatus status) noexcept;
+
 /// The minimiser and its Karush-Kuhn-Tucker certificate:
 ///
 ///     H x + g + Σ u_i a_i = 0,   u_i ≥ 0,   a_iᵀ x = b_i for every active i               (qp 2)

@@ -57,7 +57,14 @@ void QuinticSpline::start(const PointState& state) noexcept {
 
 void QuinticSpline::add(double time, const PointState& state) noexcept {
   const bool room = nodes_.size() < nodes_.capacity();
-  if (room && time > duration()) nodes_.push_back({time, state});
+  if (room && time - duration() >= kShortestSegment) nodes_.push_back({time, state});
+}
+
+bool QuinticSpline::in_range() const noexcept {
+  return std::ranges::all_of(nodes_, [](const Node& node) {
+    return node.time <= kLargestMotion && hexagait::in_range(node.state.p) &&
+           hexagait::in_range(node.state.v) && hexagait::in_range(node.state.a);
+  });
 }
 
 double QuinticSpline::duration() const noexcept {

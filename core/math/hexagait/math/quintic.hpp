@@ -10,12 +10,23 @@
 
 namespace hexagait {
 
+/// Bounds within which no motion overflows: its values and their derivatives in SI units, its time,
+/// and the time between its nodes [s]. Between them a quintic's coefficients are at most 1e12 / 1e-45.
+inline constexpr double kLargestMotion = 1e12;
+inline constexpr double kShortestSegment = 1e-9;
+
 /// Position, velocity and acceleration of a point [m], or of three joints [rad].
 struct PointState {
   Vector3 p = Vector3::Zero();  ///< position
   Vector3 v = Vector3::Zero();  ///< velocity [1/s]
   Vector3 a = Vector3::Zero();  ///< acceleration [1/s²]
 };
+
+/// Are all values numbers of at most kLargestMotion?
+template <class Derived>
+[[nodiscard]] bool in_range(const Eigen::MatrixBase<Derived>& values) noexcept {
+  return (values.array().abs() <= kLargestMotion).all();
+}
 
 /// The polynomial of degree 5 with given position, velocity and acceleration at both ends. From
 /// rest to rest it is the minimum-jerk motion σ(τ) = 10τ³ − 15τ⁴ + 6τ⁵ (Flash & Hogan 1985).
@@ -26,7 +37,7 @@ struct Quintic {
   [[nodiscard]] PointState at(double t) const noexcept;
 };
 
-/// @param duration  > 0 [s]
+/// @param duration  at least kShortestSegment [s]
 [[nodiscard]] Quintic quintic(const PointState& from, const PointState& to,
                               double duration) noexcept;
 
@@ -50,16 +61,16 @@ struct KnotRates {
 [[nodiscard]] KnotRates parabola_rates(const Vector3& slope_before, double time_before,
                                        const Vector3& slope_after, double time_after) noexcept;
 
-/// The knots that a curve can use: those after time 0, up to the first whose time does not
-/// increase, at most `capacity`.
+/// The knots that a curve can use: those after time 0, up to the first whose time does not increase
+/// by kShortestSegment, at most `capacity`. Loaders refuse all others.
 template <class Knot>
 [[nodiscard]] std::span<const Knot> usable_knots(std::span<const Knot> knots,
                                                  std::size_t capacity) noexcept {
   std::size_t first = 0;
-  while (first < knots.size() && !(knots[first].time > 0.0)) ++first;
+  while (first < knots.size() && !(knots[first].time >= kShortestSegment)) ++first;
   std::size_t count = first < knots.size() && capacity > 0 ? 1 : 0;
   while (count > 0 && count < capacity && first + count < knots.size() &&
-         knots[first + count].time > knots[first + count - 1].time)
+         knots[first + count].time - knots[first + count - 1].time >= kShortestSegment)
     ++count;
   return knots.subspan(first, count);
 }
@@ -84,8 +95,12 @@ class QuinticSpline {
 
   /// Removes all nodes and adds one at time 0. Does nothing without capacity.
   void start(const PointState& state) noexcept;
-  /// Adds a node. Does nothing if `time` is not after that of the last node, or the spline is full.
+  /// Adds a node. Does nothing if `time` is not after that of the last node by kShortestSegment, or
+  /// the spline is full.
   void add(double time, const PointState& state) noexcept;
+
+  /// Are all nodes within kLargestMotion? Then at() is finite at any time.
+  [[nodiscard]] bool in_range() const noexcept;
 
   /// Time of the last node [s]; 0 without nodes.
   [[nodiscard]] double duration() const noexcept;

@@ -9,6 +9,7 @@
 #include <hexagait/math/leg.hpp>
 #include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hexagait {
@@ -98,6 +99,13 @@ struct LegModel {
 
   int num_joints() const { return limits.size(); }
 };
+
+/// A leg's name without "_leg" or "_LEG", which actions may write after it or leave out.
+[[nodiscard]] inline std::string_view short_leg_name(std::string_view name) {
+  for (const std::string_view suffix : {"_LEG", "_leg"})
+    if (name.ends_with(suffix)) return name.substr(0, name.size() - suffix.size());
+  return name;
+}
 
 /// A legged robot. Body frame B: x forward, y left, z up, origin at the base link.
 struct RobotModel {

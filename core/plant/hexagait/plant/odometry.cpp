@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
@@ -13,6 +14,9 @@ constexpr double kRegularisation = 1e-6;
 
 // The change of distances at which the weight of a foot is halved, ε of (odometry 3) [m].
 constexpr double kSlideTolerance = 0.001;
+
+// Feet that are within this of a line are in a row [m].
+constexpr double kInARow = 1e-3;
 
 // One Gauss-Newton step of (odometry 1) from X: accurate to second order in the motion of one tick;
 // the next tick corrects the remainder.
@@ -83,6 +87,18 @@ LegArray<double> without_sliding(const LegArray<double>& footing, const LegArray
   return trust;
 }
 
+// The least slope s with the least |Σ arm (arm · s − height)|: 0 across feet that stand in a row.
+Vector2 slope_of(const Eigen::Matrix2d& spread, const Vector2& rise) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
+  Vector2 slope = Vector2::Zero();
+  for (int k = 0; k < 2; ++k) {
+    const Vector2 axis = axes.eigenvectors().col(k);
+    const double width2 = axes.eigenvalues()[k];
+    if (width2 > kInARow * kInARow) slope += axis * (axis.dot(rise) / width2);
+  }
+  return slope;
+}
+
 // Twist that takes the body from X_OB to Y_OB in dt, in the body frame.
 Twist twist_between(const Pose& X_OB, const Pose& Y_OB, double dt) {
   const Matrix3 R = X_OB.R.transpose() * Y_OB.R;
@@ -106,16 +122,19 @@ void Odometry::reset(RobotState& state, RestsOn rests_on) {
 }
 
 Pose Odometry::pose_over_feet(const RobotState& state) const {
-  // Least-squares plane z = a + b x + c y through the feet.
-  Matrix3 normal = Matrix3::Zero();
-  Vector3 right = Vector3::Zero();
-  for (LegId i = 0; i < model_->num_legs(); ++i) {
-    const Vector3 row(1.0, state.p_BF[i].x(), state.p_BF[i].y());
-    normal += row * row.transpose();
-    right += row * state.p_BF[i].z();
+  // Least-squares plane through the feet, z − z̄ = slope · ((x, y) − (x̄, ȳ)).
+  const int n = model_->num_legs();
+  Vector3 centre = Vector3::Zero();
+  for (const Vector3& p_BF : state.p_BF) centre += p_BF / n;
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  Vector2 rise = Vector2::Zero();
+  for (const Vector3& p_BF : state.p_BF) {
+    const Vector3 arm = p_BF - centre;
+    spread += arm.head<2>() * arm.head<2>().transpose();
+    rise += arm.head<2>() * arm.z();
   }
-  const Vector3 plane = normal.inverse() * right;
-  const Vector3 up_B = Vector3(-plane.y(), -plane.z(), 1.0).normalized();
+  const Vector2 slope = slope_of(spread, rise);
+  const Vector3 up_B = Vector3(-slope.x(), -slope.y(), 1.0).normalized();
 
   // z of odom is the normal of the plane, x the body's forward direction projected into it.
   const Vector3 forward_B = (Vector3::UnitX() - up_B.x() * up_B).normalized();
@@ -123,7 +142,7 @@ Pose Odometry::pose_over_feet(const RobotState& state) const {
   X_OB.R.row(0) = forward_B;
   X_OB.R.row(1) = up_B.cross(forward_B);
   X_OB.R.row(2) = up_B;
-  X_OB.p = Vector3(0.0, 0.0, model_->foot_radius - plane.x() * up_B.z());
+  X_OB.p = Vector3(0.0, 0.0, model_->foot_radius - up_B.dot(centre));
   return X_OB;
 }
 

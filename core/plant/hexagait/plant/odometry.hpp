@@ -28,7 +28,8 @@ class Odometry {
   explicit Odometry(const RobotModel&&) = delete;
 
   /// Places the odom frame under the robot: z normal to the plane through the feet, z = 0 at their
-  /// mean lowest point, x and yaw of the body. For a robot that rests on its belly, odom is the
+  /// mean lowest point, x and yaw of the body. Feet in a row do not say how the ground slopes across
+  /// it: it is taken as level with the body there. For a robot that rests on its belly, odom is the
   /// body frame.
   void reset(RobotState& state, RestsOn rests_on = RestsOn::feet);
 

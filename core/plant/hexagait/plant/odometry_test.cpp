@@ -85,6 +85,30 @@ TEST(OdometryReset, LevelsTheFrameOnTheFeet) {
   for (const Vector3& p : state.p_OF) EXPECT_NEAR(p.z(), model.foot_radius, 1e-12);
 }
 
+// Feet in a row along `axis` tell the slope along it and none across it; feet on one spot none.
+TEST(OdometryReset, TakesTheGroundForLevelAcrossFeetInARow) {
+  const RobotModel model = point_footed(4);
+  for (const double angle : {0.0, 0.6, 1.5707963}) {
+    const Vector3 axis(std::cos(angle), std::sin(angle), 0.0);
+    const double slope = 0.1;
+    LegArray<Vector3> row(4), spot(4, Vector3(0.1, 0.2, -kHeight));
+    for (LegId i = 0; i < 4; ++i)
+      row[i] = 0.2 * (i - 1.0) * axis + Vector3(0, 0, slope * 0.2 * (i - 1.0) - kHeight);
+    Odometry odometry(model);
+    RobotState state = standing(row);
+    odometry.reset(state);
+    ASSERT_TRUE(state.X_OB.R.allFinite() && state.X_OB.p.allFinite()) << angle;
+    const Vector3 up_B = (Vector3::UnitZ() - slope * axis).normalized();
+    EXPECT_LT((state.X_OB.R.row(2).transpose() - up_B).norm(), 1e-9) << angle;
+    for (const Vector3& p : state.p_OF) EXPECT_NEAR(p.z(), 0.0, 1e-9) << angle;
+
+    state = standing(spot);
+    odometry.reset(state);
+    EXPECT_LT((state.X_OB.R - Matrix3::Identity()).norm(), 1e-12);
+    EXPECT_NEAR(state.X_OB.p.z(), kHeight, 1e-12);
+  }
+}
+
 // Footholds at rest and a constant twist: X_OB = X_0 exp(V t). One Gauss-Newton step a tick is
 // exact to first order in its turn for any axis: |w dt|²/2 is left over. It is made good at the
 // next tick and doesn't add up: when the body stops, the estimate is exact.

@@ -20,6 +20,8 @@ const char* to_string(Fault fault) noexcept {
       return "plant closed";
     case Fault::emergency_stop:
       return "emergency stop";
+    case Fault::bad_command:
+      return "bad command";
   }
   return "?";
 }
@@ -27,10 +29,12 @@ const char* to_string(Fault fault) noexcept {
 bool valid(const Measurement& measurement, const RobotModel& model) noexcept {
   const int n = model.num_legs();
   if (measurement.q.size() != n || measurement.contact.size() != n) return false;
-  bool finite = std::isfinite(measurement.time);
-  for (LegId i = 0; i < n; ++i)
-    finite = finite && own_joints(model.legs[i], measurement.q[i]).allFinite();
-  return finite;
+  bool good = std::isfinite(measurement.time);
+  for (LegId i = 0; i < n; ++i) {
+    const LegJoints q = own_joints(model.legs[i], measurement.q[i]);
+    good = good && (q.array().abs() <= kLargestJointAngle).all();
+  }
+  return good;
 }
 
 bool PlantWatch::accepts(PlantStatus status, const Measurement& measurement,

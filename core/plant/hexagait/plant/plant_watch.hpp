@@ -11,15 +11,20 @@ namespace hexagait {
 enum class Fault : std::uint8_t {
   none,
   not_started,      ///< start() has not been called yet
-  bad_measurement,  ///< a joint position is not finite, or the number of legs is wrong
+  bad_measurement,  ///< a joint position is no angle, or the number of legs is wrong
   plant_late,       ///< no measurement for longer than the limit
   plant_closed,     ///< the plant is gone
   emergency_stop,   ///< requested by the program
+  bad_command,      ///< a command, or a parameter, led to targets that are not finite
 };
 
 [[nodiscard]] const char* to_string(Fault fault) noexcept;
 
-/// Does the measurement have the model's number of legs, with finite values for all their joints?
+/// No joint can be measured farther than this from its zero: 1600 turns [rad].
+inline constexpr double kLargestJointAngle = 1e4;
+
+/// Does the measurement have a finite time and the model's number of legs, and are all their joint
+/// positions within kLargestJointAngle?
 [[nodiscard]] bool valid(const Measurement& measurement, const RobotModel& model) noexcept;
 
 /// Checks the input of a controller: everything behind it sees only valid, finite measurements.

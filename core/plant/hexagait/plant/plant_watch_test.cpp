@@ -24,6 +24,9 @@ TEST(Measurement, IsValidIfCompleteAndFinite) {
   measurement.q[5][2] = kNaN;
   EXPECT_FALSE(valid(measurement, kSix));
   measurement = kGood;
+  measurement.q[5][2] = -1.1e4;
+  EXPECT_FALSE(valid(measurement, kSix)) << "no joint turns as far";
+  measurement = kGood;
   measurement.time = std::numeric_limits<double>::infinity();
   EXPECT_FALSE(valid(measurement, kSix));
   measurement = kGood;

@@ -50,11 +50,12 @@ const ActionRecord& ActionRunner::tick(PlantStatus status,
     estimator_.update(record_.state, measurement, executor_, dt);
     sequencer_.update(executor_, record_.state, frames_, dt);
     executor_.advance(record_.state, dt);
+    if (executor_.failed()) watch_.stop(Fault::bad_command);
   } else {
     executor_.hold();
-    if (watch_.fault() != Fault::none) sequencer_.give_up();
     if (watch_.fault() == Fault::not_started) return wait_for_start(measurement);
   }
+  if (watch_.fault() != Fault::none) sequencer_.give_up();
   report();
   return record_;
 }

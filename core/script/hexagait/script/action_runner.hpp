@@ -38,7 +38,9 @@ struct ActionRecord {
   double margin = 0.0;  ///< stability_margin() of the centre of mass [m]
   LegArray<LegLane> legs;
   DesiredState desired;
-  QpStatus contact_forces = QpStatus::solved;  ///< of the virtual model's quadratic program
+  /// Of the virtual model's quadratic program; unless solved, the joints are driven by position in
+  /// this tick.
+  QpStatus contact_forces = QpStatus::solved;
 };
 
 /// Runs scripted actions: takes a measurement and returns joint targets once per control period. It

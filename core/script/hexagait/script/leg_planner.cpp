@@ -24,7 +24,7 @@ PointState start_of_foot(LegId leg, const Placement& placement, const StepStart&
 }
 
 Vector3 unit(const Vector3& v) {
-  const double length = v.norm();
+  const double length = v.stableNorm();
   return length > 1e-9 ? Vector3(v / length) : Vector3::UnitZ();
 }
 

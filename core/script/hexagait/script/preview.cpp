@@ -64,6 +64,9 @@ class Examiner {
       note(Finding::Kind::unstable, plan.leg,
            "the centre of mass is outside the support polygon while this leg is lifted; move the "
            "base first, for example in a step with base_auto alone");
+    if (plan.cause == Cause::not_finite)
+      note(Finding::Kind::not_finite, plan.leg,
+           "a number is not finite, or so large that the motion is not; the action ends here");
     refused_ = plan.cause == Cause::unstable;
     lies_ = lies_ && !plan.moves_base;
   }

@@ -14,6 +14,7 @@ struct Finding {
     unstable,      ///< the centre of mass leaves the support polygon
     narrow,        ///< the stability margin is less than PreviewParams::narrow_margin
     too_fast,      ///< a joint would have to exceed its velocity limit
+    not_finite,    ///< a number is none, or so large that the motion is not finite
     no_result,     ///< the action does not end within PreviewParams::most_seconds
   };
   Kind kind = Kind::out_of_reach;

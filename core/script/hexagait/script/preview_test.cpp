@@ -110,6 +110,16 @@ TEST(Preview, WarnsOfWhatIsTooFast) {
   EXPECT_FALSE(result.findings[0].is_error);
 }
 
+// Made in C++: the loader reads no such number. A robot would refuse it, and so does the preview.
+TEST(Preview, EndsAtANumberThatIsNone) {
+  const Vector3 nowhere = Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
+  const Preview found = play(steps({wait(0.1), step({{footstep(1, nowhere), {}}}), wait(0.1)}));
+  EXPECT_EQ(found.result.cause, Cause::not_finite);
+  ASSERT_EQ(found.findings.size(), 1U);
+  EXPECT_EQ(found.findings[0].kind, Finding::Kind::not_finite);
+  EXPECT_THAT(found.findings[0].text, ::testing::StartsWith("step 2, RF: a number is not finite"));
+}
+
 TEST(Preview, EndsAlsoWithoutAResult) {
   PreviewParams params;
   params.most_seconds = 1.0;

@@ -81,12 +81,8 @@ void Sequencer::give_up() noexcept {
 void Sequencer::update(Executor& executor, const RobotState& state, const Frames& frames,
                        double dt) noexcept {
   const StepStart start{*model_, executor, state, frames, step_frames_};
-  if (!active_ && waiting_) {
-    begin_action(executor, state, frames);
-    begin_step(executor, start, 0.0);
-  } else if (active_ && !stopping_) {
-    advance_step(executor, start, dt);
-  }
+  if (!active_ && waiting_) begin_action(executor, state, frames);
+  if (active_ && !stopping_) advance_step(executor, start, dt);
   if (stopping_) advance_stop(executor, dt);
   set_rate(executor, dt);
   report(executor);
@@ -99,6 +95,8 @@ void Sequencer::begin_action(const Executor& executor, const RobotState& state,
   active_ = true;
   ++number_;
   step_ = 0;
+  elapsed_ = regain_time_ = 0.0;
+  std::fill(beyond_.begin(), beyond_.end(), 0.0);
   stops_after_step_ = false;
   step_frames_.start(action_, frames, state);
   given_up_ = LegSet();
@@ -119,7 +117,8 @@ void Sequencer::begin_step(Executor& executor, const StepStart& start, double ca
   std::fill(beyond_.begin(), beyond_.end(), 0.0);
 
   const StepPlan& plan = planner_.plan(step, next, start);
-  if (plan.cause != Cause::none && params_.planner.refuses) return fail(plan.cause, plan.leg);
+  const bool refused = params_.planner.refuses || plan.cause == Cause::not_finite;
+  if (plan.cause != Cause::none && refused) return fail(plan.cause, plan.leg);
   for (LegId i = 0; i < beyond_.size(); ++i) {
     if (!plan.commanded.contains(i)) continue;
     given_up_.erase(i);
@@ -131,12 +130,12 @@ void Sequencer::begin_step(Executor& executor, const StepStart& start, double ca
 }
 
 void Sequencer::advance_step(Executor& executor, const StepStart& start, double dt) noexcept {
-  elapsed_ += rate_ * dt;
+  if (step_ > 0) elapsed_ += rate_ * dt;
   watch(executor, dt);
-  if (stopping_ || !step_done(executor)) return;
+  if (stopping_ || paused_ || uncertain_ || !step_done(executor)) return;
 
   // The next step starts with the time by which this one has overrun.
-  const double over = elapsed_ - planner_.last().duration;
+  const double over = step_ > 0 ? elapsed_ - planner_.last().duration : 0.0;
   if (!stops_after_step_ || step_ == steps_of(action_))
     return begin_step(executor, start, over < dt ? std::max(0.0, over) : 0.0);
   stopping_ = true;
@@ -145,7 +144,7 @@ void Sequencer::advance_step(Executor& executor, const StepStart& start, double 
 
 // Detects feet that do not find the ground, lose it, or cannot reach their targets.
 void Sequencer::watch(const Executor& executor, double dt) noexcept {
-  regaining_ = false;
+  regaining_ = uncertain_ = false;
   LegId doubtful = -1;  // has contact that is not confirmed yet
   for (LegId i = 0; i < beyond_.size(); ++i) {
     const LegLane& lane = executor.legs()[i];
@@ -153,6 +152,8 @@ void Sequencer::watch(const Executor& executor, double dt) noexcept {
       return fail(lane.lost ? Cause::lost_contact : Cause::no_contact, i);
     regaining_ = regaining_ || (lane.lost && lane.phase == LegPhase::search);
     if (!lane.confirmed && lane.phase == LegPhase::support) doubtful = i;
+    uncertain_ = uncertain_ || regaining_ ||
+                 (lane.phase == LegPhase::support && !lane.supports(executor.params().swing));
 
     const bool moves = lane.phase == LegPhase::follow || lane.on_ground();
     beyond_[i] = moves && !executor.reachable(i) ? beyond_[i] + dt : 0.0;
@@ -164,6 +165,7 @@ void Sequencer::watch(const Executor& executor, double dt) noexcept {
 }
 
 bool Sequencer::step_done(const Executor& executor) const noexcept {
+  if (step_ == 0) return true;
   const StepPlan& plan = planner_.last();
   if (elapsed_ < plan.duration - kTimeTolerance) return false;
   for (LegId i = 0; i < beyond_.size(); ++i)
@@ -188,7 +190,7 @@ void Sequencer::advance_stop(Executor& executor, double dt) noexcept {
 
 void Sequencer::end_action() noexcept {
   result_ = ending_;
-  active_ = stopping_ = regaining_ = false;
+  active_ = stopping_ = regaining_ = uncertain_ = false;
   stop_time_ = -1.0;
   step_ = 0;
 }
@@ -212,10 +214,11 @@ void Sequencer::report(const Executor& executor) noexcept {
                      : paused_    ? ActionStatus::paused
                                   : ActionStatus::executing;
   feedback_.description = description(executor);
+  const bool in_step = step_ > 0;
   const double duration = planner_.last().duration;
-  feedback_.duration = active_ ? duration : 0.0;
-  feedback_.phase = !active_ ? 0.0 : duration > 0.0 ? std::min(1.0, elapsed_ / duration) : 1.0;
-  feedback_.moving = active_ ? planner_.last().moving : LegSet();
+  feedback_.duration = in_step ? duration : 0.0;
+  feedback_.phase = !in_step ? 0.0 : duration > 0.0 ? std::min(1.0, elapsed_ / duration) : 1.0;
+  feedback_.moving = in_step ? planner_.last().moving : LegSet();
 }
 
 const char* Sequencer::description(const Executor& executor) const noexcept {

@@ -34,6 +34,9 @@ struct SequencerParams {
 ///   no contact        the action fails: no_contact
 ///   support lost      everything waits while the foot searches; if in vain, lost_contact
 ///
+/// No step begins while paused, nor while a leg that stands has lost the ground or has contact that
+/// is not confirmed yet.
+///
 /// An action that fails or is preempted stops: feet in the air are lowered to the ground, the base
 /// comes to rest, and then there is a result. Every action ends with a result.
 ///
@@ -111,11 +114,12 @@ class Sequencer {
 
   // Progress.
   std::uint64_t number_ = 0;  ///< number of action_
-  int step_ = 0;              ///< present step, from 1; 0: none
+  int step_ = 0;              ///< present step, from 1; 0: none yet
   double elapsed_ = 0.0;      ///< time in the step, at the rate of its plans [s]
   double rate_ = 1.0;         ///< rate of that time
   LegSet given_up_;           ///< feet that failed to find ground before this action
   bool regaining_ = false;
+  bool uncertain_ = false;    ///< a standing leg has no contact, or none that is confirmed
   double regain_time_ = 0.0;  ///< spent regaining contact in this step [s]
   LegArray<double> beyond_;   ///< time for which each foot has been out of reach [s]
 

@@ -118,13 +118,28 @@ const StepPlan& StepPlanner::plan(const action::Step& step, const action::Step* 
   for (const action::CustomCommand& custom : step.custom)
     plan_.duration = std::max(plan_.duration, custom.duration);
 
+  base_knots_.clear();
   plan_legs(step, start);
   refuse_to_tip(step, start);
   if (plan_.moves_base) plan_base(step, next, start);
   for (LegId i = 0; i < plan_.legs.size(); ++i)
     if (plan_.moving.contains(i)) plan_.duration = std::max(plan_.duration, time_of(i, start));
   keep_places(start);
+  refuse_what_is_not_finite();
   return plan_;
+}
+
+// What commands made in C++ and poses of frames may lead to.
+void StepPlanner::refuse_what_is_not_finite() noexcept {
+  const auto refuse = [this](LegId leg) {
+    plan_.cause = Cause::not_finite;
+    plan_.leg = leg;
+  };
+  const auto endless = [](const BaseKnot& knot) { return !std::isfinite(knot.time); };
+  if (!std::isfinite(plan_.duration) || std::ranges::any_of(base_knots_, endless)) refuse(-1);
+  if (plan_.moves_base && !plan_.base.curve.in_range()) refuse(-1);
+  for (LegId i = plan_.legs.size() - 1; i >= 0; --i)
+    if (plan_.moving.contains(i) && !plan_.legs[i].in_range()) refuse(i);
 }
 
 // A foot whose motion in odom has ended stays there until the step ends, whatever the base does.
@@ -176,7 +191,6 @@ void StepPlanner::plan_base(const action::Step& step, const action::Step* next,
                             const StepStart& start) noexcept {
   const BaseState from = start_of_base(start);
   bool ignores_legs = false;
-  base_knots_.clear();
   if (const auto* t = std::get_if<action::BaseTrajectory>(&step.base->motion)) {
     const Pose X_OA = start.step_frames.in_odom(t->frame, start.frames, start.state);
     for (const BaseKnot& knot : t->knots) base_knots_.push_back({knot.time, X_OA * knot.X_AB});
@@ -252,7 +266,8 @@ Pose StepPlanner::best_stance(const action::BaseAuto& command, const action::Ste
   plan_.stance = params_.stance(start.model, problem);
   const double height = plan_.stance.X_OB.p.z() - mean_height(problem);
   const bool too_high = problem.height > height + kHeightLost;
-  if (plan_.stance.reachable()) height_ = too_high ? height : problem.height;
+  if (plan_.stance.reachable() && std::isfinite(problem.height))
+    height_ = too_high ? height : problem.height;
   if (!plan_.stance.reachable() && plan_.cause == Cause::none) {
     plan_.cause = Cause::out_of_reach;
     plan_.leg = first_of(plan_.stance.out_of_reach);

@@ -51,6 +51,7 @@ class StepPlanner {
   void plan_base(const action::Step& step, const action::Step* next,
                  const StepStart& start) noexcept;
   void keep_places(const StepStart& start) noexcept;
+  void refuse_what_is_not_finite() noexcept;
   [[nodiscard]] double time_of(LegId leg, const StepStart& start) const noexcept;
   [[nodiscard]] BaseGoalPose base_goal(const action::Step& step, const action::Step* next,
                                        const StepStart& start, const Pose& from) noexcept;

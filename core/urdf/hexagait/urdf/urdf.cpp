@@ -60,14 +60,20 @@ LegArray<LegModel> in_leg_order(std::vector<LegModel> legs, Violations& violatio
 
 /// Legs are commanded by their names.
 void refuse_equal_names(const LegArray<LegModel>& legs, Violations& violations) {
-  for (LegId i = 0; i < legs.size(); ++i)
-    for (LegId j = 0; j < i; ++j)
+  for (LegId i = 0; i < legs.size(); ++i) {
+    for (LegId j = 0; j < i; ++j) {
       if (legs[i].name == legs[j].name)
         violations.add("leg " + legs[i].name,
                        "is the name of two legs, that of joint " + legs[j].joint_names[0] +
                            " and that of joint " + legs[i].joint_names[0] +
                            "; what the joints' names of a leg begin with must be its own, as LF in "
                            "LF_yaw, LF_hip, LF_knee");
+      else if (short_leg_name(legs[i].name) == short_leg_name(legs[j].name))
+        violations.add(
+            "leg " + legs[i].name,
+            "and leg " + legs[j].name + " differ only by what actions may leave out, _leg or _LEG");
+    }
+  }
 }
 
 /// Recognises every chain as a leg. Counts legs only if all chains are, else one fault shows twice.

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <console_bridge/console.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -228,6 +229,17 @@ TEST(ParseUrdf, RefusesTwoLegsOfOneName) {
       "LF_hip, LF_knee");
 }
 
+// LF in an action may mean LF_leg.
+TEST(ParseUrdf, RefusesTwoLegsThatDifferOnlyBySuffix) {
+  std::string text = argos_text();
+  for (const char* joint : {"_yaw", "_hip", "_knee"})
+    text = edited(text, std::string("joint name=\"RM") + joint,
+                  std::string("joint name=\"LF_leg") + joint);
+  EXPECT_EQ(refusal(text),
+            "robot.urdf: leg LF_leg: and leg LF differ only by what actions may leave out, _leg or "
+            "_LEG");
+}
+
 std::string repeated(const std::string& text, int count) {
   std::string all;
   for (int i = 0; i < count; ++i) all += text;
@@ -284,6 +296,23 @@ TEST(ParseUrdf, KeepsUrdfdomFromPrinting) {
   (void)refusal("<html/>");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+}
+
+// console_bridge remembers two handlers, the one in use and the one before. That of the loader is
+// gone with it.
+TEST(ParseUrdf, LeavesNoHandlerBehind) {
+  struct Silent : console_bridge::OutputHandler {
+    void log(const std::string&, console_bridge::LogLevel, const char*, int) override {}
+  } before, used;
+  console_bridge::OutputHandler* const original = console_bridge::getOutputHandler();
+  console_bridge::useOutputHandler(&before);
+  console_bridge::useOutputHandler(&used);
+  (void)refusal("<html/>");
+  EXPECT_EQ(console_bridge::getOutputHandler(), &used);
+  console_bridge::restorePreviousOutputHandler();
+  EXPECT_EQ(console_bridge::getOutputHandler(), &before);
+  console_bridge::useOutputHandler(original);
+  console_bridge::useOutputHandler(original);
 }
 
 TEST(LoadUrdf, RefusesAFileThatCannotBeRead) {

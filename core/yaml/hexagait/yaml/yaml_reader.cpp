@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstdlib>
 #include <hexagait/text/nearest_word.hpp>
 #include <hexagait/yaml/yaml_reader.hpp>
@@ -18,6 +19,21 @@ std::string description(NumberRule rule) {
   if (rule.bound == Bound::any) return text;
   text += rule.dimension == Dimension::number ? " of " : ", of ";
   return text + (rule.bound == Bound::positive ? "more than 0" : "0 or more");
+}
+
+std::string_view unit(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::length:
+      return " m";
+    case Dimension::time:
+      return " s";
+    case Dimension::angle:
+      return " rad";
+    case Dimension::number:
+    case Dimension::angular_rate:  // or its derivative
+      break;
+  }
+  return "";
 }
 
 bool keeps(double value, NumberRule::Bound bound) {
@@ -150,6 +166,9 @@ std::optional<double> YamlReader::number(const YamlField& field, NumberRule rule
   else if (is_tiny)
     refuse(field.mark, fmt::format("{}: {} is too small; the least that is read is {}", field.key,
                                    quoted(scalar.text), in_words(kSmallestQuantity)));
+  else if (std::abs(value) > rule.most)
+    refuse(field.mark, fmt::format("{}: {} is out of range; at most {}{} is read", field.key,
+                                   quoted(scalar.text), in_words(rule.most), unit(rule.dimension)));
   else if (!keeps(value, rule.bound))
     refuse(field, description(rule));
   else
@@ -159,7 +178,7 @@ std::optional<double> YamlReader::number(const YamlField& field, NumberRule rule
 
 std::optional<std::vector<double>> YamlReader::numbers(const YamlField& field,
                                                        std::span<const std::size_t> counts,
-                                                       Dimension dimension) {
+                                                       NumberRule rule) {
   const std::string must_be = fmt::format("a list of {} numbers", fmt::join(counts, " or "));
   const YamlNode& list_node = node(field.node);
   if (!list_node.is_list() ||
@@ -169,15 +188,14 @@ std::optional<std::vector<double>> YamlReader::numbers(const YamlField& field,
   }
   std::vector<double> values;
   for (const YamlField& item : list(field))
-    if (const std::optional<double> value = number(item, {.dimension = dimension}))
-      values.push_back(*value);
+    if (const std::optional<double> value = number(item, rule)) values.push_back(*value);
   if (values.size() != list_node.children.size()) return {};
   return values;
 }
 
-std::optional<Vector3> YamlReader::vector(const YamlField& field, Dimension dimension) {
+std::optional<Vector3> YamlReader::vector(const YamlField& field, NumberRule rule) {
   constexpr std::size_t kThree[] = {3};
-  const std::optional<std::vector<double>> values = numbers(field, kThree, dimension);
+  const std::optional<std::vector<double>> values = numbers(field, kThree, rule);
   if (!values) return {};
   return Vector3((*values)[0], (*values)[1], (*values)[2]);
 }
@@ -212,9 +230,9 @@ bool YamlReader::flag_or(const YamlFields& fields, std::string_view key, bool ot
 }
 
 Vector3 YamlReader::vector_or(const YamlFields& fields, std::string_view key,
-                              const Vector3& otherwise, Dimension dimension) {
+                              const Vector3& otherwise, NumberRule rule) {
   const std::optional<YamlField> field = find(fields, key);
-  return field ? vector(*field, dimension).value_or(otherwise) : otherwise;
+  return field ? vector(*field, rule).value_or(otherwise) : otherwise;
 }
 
 void YamlReader::count(std::size_t values) {

@@ -41,6 +41,7 @@ struct NumberRule {
   enum class Bound : std::uint8_t { any, not_negative, positive };
   Bound bound = Bound::any;
   Dimension dimension = Dimension::number;
+  double most = kLargestQuantity;  ///< bound of the magnitude [SI units, radians]
 };
 
 /// Checked access to a YAML document. What is wrong is added to the violations with its place, and
@@ -85,9 +86,8 @@ class YamlReader {
   /// As many numbers as asked for; refused and none if they are not.
   [[nodiscard]] std::optional<std::vector<double>> numbers(const YamlField& field,
                                                            std::span<const std::size_t> counts,
-                                                           Dimension dimension);
-  [[nodiscard]] std::optional<Vector3> vector(const YamlField& field,
-                                              Dimension dimension = Dimension::number);
+                                                           NumberRule rule);
+  [[nodiscard]] std::optional<Vector3> vector(const YamlField& field, NumberRule rule = {});
   /// The index of a word among those known.
   [[nodiscard]] std::optional<std::size_t> word(const YamlField& field,
                                                 std::span<const std::string> known);
@@ -97,8 +97,7 @@ class YamlReader {
                                  NumberRule rule);
   [[nodiscard]] bool flag_or(const YamlFields& fields, std::string_view key, bool otherwise);
   [[nodiscard]] Vector3 vector_or(const YamlFields& fields, std::string_view key,
-                                  const Vector3& otherwise,
-                                  Dimension dimension = Dimension::number);
+                                  const Vector3& otherwise, NumberRule rule = {});
 
   /// Counts values that were read; throws if there are too many.
   void count(std::size_t values);

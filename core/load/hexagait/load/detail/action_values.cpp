@@ -8,13 +8,6 @@
 namespace hexagait::action {
 namespace {
 
-// What other robots write after the name of a leg.
-std::string_view without_suffix(std::string_view name) {
-  for (const std::string_view suffix : {"_LEG", "_leg"})
-    if (name.ends_with(suffix)) return name.substr(0, name.size() - suffix.size());
-  return name;
-}
-
 Matrix3 from_roll_pitch_yaw(double roll, double pitch, double yaw) {
   return rotation_z(yaw) * rotation(Vector3(0, pitch, 0)) * rotation(Vector3(roll, 0, 0));
 }
@@ -33,7 +26,7 @@ LegId read_leg(YamlReader& yaml, const ActionWords& words, const YamlFields& fie
   if (!field) return 0;
   const std::optional<std::string> name = yaml.text(*field);
   if (!name) return 0;
-  for (const std::string_view candidate : {std::string_view(*name), without_suffix(*name)}) {
+  for (const std::string_view candidate : {std::string_view(*name), short_leg_name(*name)}) {
     const auto found = std::find(words.legs.begin(), words.legs.end(), candidate);
     if (found != words.legs.end()) return static_cast<LegId>(found - words.legs.begin());
   }
@@ -54,7 +47,7 @@ FrameId read_frame(YamlReader& yaml, const ActionWords& words, const YamlFields&
 
 Matrix3 read_orientation(YamlReader& yaml, const YamlField& field) {
   constexpr std::size_t kCounts[] = {3, 4};
-  const std::optional<std::vector<double>> read = yaml.numbers(field, kCounts, Dimension::angle);
+  const std::optional<std::vector<double>> read = yaml.numbers(field, kCounts, kAngle);
   if (!read) return Matrix3::Identity();
   const std::vector<double>& v = *read;
   if (v.size() == 3) return from_roll_pitch_yaw(v[0], v[1], v[2]);
@@ -73,7 +66,7 @@ Matrix3 read_orientation(YamlReader& yaml, const YamlField& field) {
 Pose read_pose(YamlReader& yaml, const YamlFields& fields) {
   Pose X;
   if (const auto position = yaml.require(fields, "position"))
-    X.p = yaml.vector(*position, Dimension::length).value_or(X.p);
+    X.p = yaml.vector(*position, kPosition).value_or(X.p);
   if (const auto orientation = yaml.require(fields, "orientation"))
     X.R = read_orientation(yaml, *orientation);
   return X;
@@ -83,7 +76,7 @@ Position read_position(YamlReader& yaml, const ActionWords& words, const YamlFie
   const YamlFields fields = yaml.fields(field, kPositionMap);
   Position target{read_frame(yaml, words, fields), Vector3::Zero()};
   if (const auto position = yaml.require(fields, "position"))
-    target.p = yaml.vector(*position, Dimension::length).value_or(target.p);
+    target.p = yaml.vector(*position, kPosition).value_or(target.p);
   return target;
 }
 

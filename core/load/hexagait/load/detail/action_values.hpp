@@ -4,14 +4,32 @@
 
 #include <hexagait/load/detail/action_keys.hpp>
 #include <hexagait/load/load_action.hpp>
+#include <numbers>
 
 namespace hexagait::action {
 
+// What numbers may be, with bounds that no robot with legs comes near, whatever its size. Of
+// positions: the largest coordinates of UTM maps. Within them no curve overflows, and a wrong unit
+// shows. What this robot can do is for the preview to say.
+
+inline constexpr double kDay = 86'400.0;                           // [s]
+inline constexpr double kHundredTurns = 200.0 * std::numbers::pi;  // [rad]
+
+inline constexpr NumberRule kPosition{NumberRule::Bound::any, Dimension::length, 1e7};
+inline constexpr NumberRule kHeight{NumberRule::Bound::not_negative, Dimension::length, 100.0};
+inline constexpr NumberRule kTime{NumberRule::Bound::not_negative, Dimension::time, kDay};
+inline constexpr NumberRule kPositiveTime{NumberRule::Bound::positive, Dimension::time, kDay};
+inline constexpr NumberRule kAngle{NumberRule::Bound::any, Dimension::angle, kHundredTurns};
+inline constexpr NumberRule kSpeed{NumberRule::Bound::positive, Dimension::number, 100.0};
+inline constexpr NumberRule kVelocity{NumberRule::Bound::any, Dimension::number, 100.0};
+inline constexpr NumberRule kAcceleration{NumberRule::Bound::any, Dimension::number, 1e4};
+inline constexpr NumberRule kTurnRate{NumberRule::Bound::positive, Dimension::angular_rate, 1e4};
+inline constexpr NumberRule kJointVelocity{NumberRule::Bound::any, Dimension::angular_rate, 1e4};
+inline constexpr NumberRule kJointAcceleration{NumberRule::Bound::any, Dimension::angular_rate,
+                                               1e6};
+inline constexpr NumberRule kForce{NumberRule::Bound::any, Dimension::number, 1e6};
+inline constexpr NumberRule kEffort{NumberRule::Bound::any, Dimension::number, 1e6};
 inline constexpr NumberRule kPositive{NumberRule::Bound::positive};
-inline constexpr NumberRule kPositiveTime{NumberRule::Bound::positive, Dimension::time};
-inline constexpr NumberRule kPositiveRate{NumberRule::Bound::positive, Dimension::angular_rate};
-inline constexpr NumberRule kLength{NumberRule::Bound::not_negative, Dimension::length};
-inline constexpr NumberRule kTime{NumberRule::Bound::not_negative, Dimension::time};
 
 /// The words that may stand for frames and legs.
 struct ActionWords {

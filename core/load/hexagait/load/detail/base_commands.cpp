@@ -12,14 +12,14 @@ namespace {
 BaseAuto read_base_auto(YamlReader& yaml, const YamlFields& options) {
   BaseAuto command;
   if (const auto height = yaml.find(options, "height"))
-    command.height = yaml.number(*height, kLength);
+    command.height = yaml.number(*height, kHeight);
   command.ignore_timing_of_leg_motion = yaml.flag_or(options, "ignore_timing_of_leg_motion", false);
-  command.average_linear_velocity = yaml.number_or(options, "average_linear_velocity",
-                                                   command.average_linear_velocity, kPositive);
-  command.average_angular_velocity = yaml.number_or(
-      options, "average_angular_velocity", command.average_angular_velocity, kPositiveRate);
+  command.average_linear_velocity =
+      yaml.number_or(options, "average_linear_velocity", command.average_linear_velocity, kSpeed);
+  command.average_angular_velocity = yaml.number_or(options, "average_angular_velocity",
+                                                    command.average_angular_velocity, kTurnRate);
   command.support_margin =
-      yaml.number_or(options, "support_margin", command.support_margin, kLength);
+      yaml.number_or(options, "support_margin", command.support_margin, kHeight);
   return command;
 }
 
@@ -31,10 +31,10 @@ BaseTarget read_base_target(YamlReader& yaml, const ActionWords& words, const Ya
     command.X_AB = read_pose(yaml, fields);
   }
   command.ignore_timing_of_leg_motion = yaml.flag_or(options, "ignore_timing_of_leg_motion", false);
-  command.average_linear_velocity = yaml.number_or(options, "average_linear_velocity",
-                                                   command.average_linear_velocity, kPositive);
-  command.average_angular_velocity = yaml.number_or(
-      options, "average_angular_velocity", command.average_angular_velocity, kPositiveRate);
+  command.average_linear_velocity =
+      yaml.number_or(options, "average_linear_velocity", command.average_linear_velocity, kSpeed);
+  command.average_angular_velocity = yaml.number_or(options, "average_angular_velocity",
+                                                    command.average_angular_velocity, kTurnRate);
   return command;
 }
 

@@ -31,12 +31,12 @@ Footstep read_footstep(YamlReader& yaml, const ActionWords& words, const YamlFie
   if (const auto target = yaml.require(options, "target"))
     command.target = read_position(yaml, words, *target);
   command.profile_height =
-      yaml.number_or(options, "profile_height", command.profile_height, kLength);
+      yaml.number_or(options, "profile_height", command.profile_height, kHeight);
   if (const auto type = yaml.find(options, "profile_type"))
     if (const auto profile = yaml.word(*type, kProfiles))
       command.profile = static_cast<SwingProfile>(*profile);
   command.average_velocity =
-      yaml.number_or(options, "average_velocity", command.average_velocity, kPositive);
+      yaml.number_or(options, "average_velocity", command.average_velocity, kSpeed);
   return command;
 }
 
@@ -45,11 +45,12 @@ EndEffectorTarget read_end_effector_target(YamlReader& yaml, const ActionWords& 
   EndEffectorTarget command{read_leg_motion(yaml, words, options), {}};
   if (const auto target = yaml.require(options, "target_position"))
     command.target = read_position(yaml, words, *target);
-  command.velocity = yaml.vector_or(options, "target_velocity", command.velocity);
-  command.acceleration = yaml.vector_or(options, "target_acceleration", command.acceleration);
-  command.force = yaml.vector_or(options, "target_force", command.force);
+  command.velocity = yaml.vector_or(options, "target_velocity", command.velocity, kVelocity);
+  command.acceleration =
+      yaml.vector_or(options, "target_acceleration", command.acceleration, kAcceleration);
+  command.force = yaml.vector_or(options, "target_force", command.force, kForce);
   command.average_velocity =
-      yaml.number_or(options, "average_velocity", command.average_velocity, kPositive);
+      yaml.number_or(options, "average_velocity", command.average_velocity, kSpeed);
   return command;
 }
 
@@ -65,8 +66,9 @@ EndEffectorTrajectory read_foot_trajectory(YamlReader& yaml, const ActionWords& 
     FootKnot knot;
     knot.time = read_time(yaml, fields, command.knots.empty() ? 0.0 : command.knots.back().time);
     if (const auto position = yaml.require(fields, "position"))
-      knot.p = yaml.vector(*position, Dimension::length).value_or(knot.p);
-    if (const auto velocity = yaml.find(fields, "velocity")) knot.v = yaml.vector(*velocity);
+      knot.p = yaml.vector(*position, kPosition).value_or(knot.p);
+    if (const auto velocity = yaml.find(fields, "velocity"))
+      knot.v = yaml.vector(*velocity, kVelocity);
     command.knots.push_back(knot);
   }
   return command;

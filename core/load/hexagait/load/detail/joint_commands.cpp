@@ -26,14 +26,14 @@ constexpr JointKeys kPlural = {"positions", "velocities", "accelerations", "effo
 constexpr JointKeys kSingular = {"position", "velocity", "acceleration", "effort"};
 
 LegJoints read_joints(YamlReader& yaml, const YamlFields& fields, std::string_view key,
-                      const JointOrder& order, Dimension dimension) {
+                      const JointOrder& order, NumberRule rule) {
   LegJoints joints = LegJoints::Constant(JointKnot::kNone);
   const std::optional<YamlField> field = yaml.find(fields, key);
   if (!field) return joints;
   // Joints that the leg doesn't have are given too: as 0.
   joints.setZero();
   const std::size_t count = static_cast<std::size_t>(order.size());
-  const std::optional<std::vector<double>> values = yaml.numbers(*field, {&count, 1}, dimension);
+  const std::optional<std::vector<double>> values = yaml.numbers(*field, {&count, 1}, rule);
   for (int i = 0; values && i < order.size(); ++i)
     joints[order[i]] = (*values)[static_cast<std::size_t>(i)];
   return joints;
@@ -42,10 +42,10 @@ LegJoints read_joints(YamlReader& yaml, const YamlFields& fields, std::string_vi
 JointKnot read_joint_state(YamlReader& yaml, const YamlFields& fields, const JointKeys& keys,
                            const JointOrder& order) {
   JointKnot knot;
-  knot.q = read_joints(yaml, fields, keys.q, order, Dimension::angle);
-  knot.qd = read_joints(yaml, fields, keys.qd, order, Dimension::angular_rate);
-  knot.qdd = read_joints(yaml, fields, keys.qdd, order, Dimension::angular_rate);
-  knot.effort = read_joints(yaml, fields, keys.effort, order, Dimension::number);
+  knot.q = read_joints(yaml, fields, keys.q, order, kAngle);
+  knot.qd = read_joints(yaml, fields, keys.qd, order, kJointVelocity);
+  knot.qdd = read_joints(yaml, fields, keys.qdd, order, kJointAcceleration);
+  knot.effort = read_joints(yaml, fields, keys.effort, order, kEffort);
   return knot;
 }
 
@@ -122,7 +122,7 @@ JointTarget read_joint_target(YamlReader& yaml, const ActionWords& words,
                 "joint_target: says nothing; it must have position, velocity, acceleration or "
                 "effort, or a target with some of them");
   command.average_velocity =
-      yaml.number_or(options, "average_velocity", command.average_velocity, kPositiveRate);
+      yaml.number_or(options, "average_velocity", command.average_velocity, kTurnRate);
   return command;
 }
 

@@ -12,17 +12,21 @@
 namespace hexagait {
 namespace {
 
-/// While it lives, what urdfdom reports is kept here and not printed.
+/// While it lives, what urdfdom reports is kept here and not printed. Afterwards console_bridge
+/// doesn't know it any more: it remembers the handler in use and the one before, which
+/// restorePreviousOutputHandler() exchanges.
 class UrdfdomLog : public console_bridge::OutputHandler {
  public:
-  UrdfdomLog()
-      : previous_(console_bridge::getOutputHandler()), level_(console_bridge::getLogLevel()) {
+  UrdfdomLog() : used_(console_bridge::getOutputHandler()), level_(console_bridge::getLogLevel()) {
+    console_bridge::restorePreviousOutputHandler();
+    before_ = console_bridge::getOutputHandler();
     console_bridge::useOutputHandler(this);
     console_bridge::setLogLevel(console_bridge::CONSOLE_BRIDGE_LOG_ERROR);
   }
   ~UrdfdomLog() override {
     console_bridge::setLogLevel(level_);
-    console_bridge::useOutputHandler(previous_);
+    console_bridge::useOutputHandler(before_);
+    console_bridge::useOutputHandler(used_);
   }
   UrdfdomLog(const UrdfdomLog&) = delete;
   UrdfdomLog& operator=(const UrdfdomLog&) = delete;
@@ -34,7 +38,8 @@ class UrdfdomLog : public console_bridge::OutputHandler {
   std::vector<std::string> errors;
 
  private:
-  console_bridge::OutputHandler* previous_;
+  console_bridge::OutputHandler* used_;
+  console_bridge::OutputHandler* before_ = nullptr;
   console_bridge::LogLevel level_;
 };
 
