@@ -96,6 +96,11 @@ ActionInput action_input(const ActionArguments& arguments) {
   input.seed = seed(arguments.seed);
   input.terrain = sim3d::parse_terrain(arguments.terrain);
   input.controller = controller(arguments.controller);
+  input.plant = plant(arguments.plant);
+  if (input.plant.faults.positions_only && input.controller == WholeBodyController::virtual_model)
+    throw InvalidInput(
+        "--controller is virtual_model, which drives legs by efforts; --servo position-only takes "
+        "none");
   input.start = walk::start_posture(input.robot, start_kind(arguments.start), input.seed);
   input.action = load(input.file, input.robot, arguments.set);
   return input;

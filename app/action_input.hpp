@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "plant_options.hpp"
+
 namespace hexagait::app {
 
 /// `hexagait run` or `check` as it was typed. An empty text is an option that was not given.
@@ -17,6 +19,7 @@ struct ActionArguments {
   std::string robot = "argos", start = "standing", terrain = "flat", seed = "1";
   std::string controller = "kinematic";  ///< of `run`
   std::vector<std::string> set;          ///< NAME=VALUE
+  PlantArguments plant;                  ///< of `run`
   bool json = false, quiet = false;
   bool preview = false, force = false;
   std::string preview_plot, plot;
@@ -30,6 +33,7 @@ struct ActionInput {
   walk::StartPosture start;
   sim3d::TerrainSpec terrain;
   std::uint64_t seed = 1;
+  recording::PlantSetup plant;
   WholeBodyController controller = WholeBodyController::kinematic;
 };
 

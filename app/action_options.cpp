@@ -47,7 +47,8 @@ void add_common(CLI::App& command, ActionArguments& a) {
   command.add_option("--start", a.start, "How the robot is found: standing, sitting or lying")
       ->type_name("S")
       ->capture_default_str();
-  command.add_option("--seed", a.seed, "Seed of terrain, and of the legs that lie: 0, 1, 2, …")
+  command
+      .add_option("--seed", a.seed, "Seed of terrain, plant, and of the legs that lie: 0, 1, 2, …")
       ->type_name("N")
       ->capture_default_str();
   command.add_option("--set", a.set, "Value of a placeholder of the file; may be repeated")
@@ -83,6 +84,7 @@ void add_run(CLI::App& app, ActionArguments& a) {
   run->add_flag("--force", a.force, "Run it although the check finds errors")->excludes(preview);
   run->add_flag("--quiet", a.quiet, "No progress and no warnings on stderr");
   group(*run, "Options of the run");
+  add_plant(*run, a.plant);
   run->callback([&a, preview] { a.preview = preview->count() > 0; });
 }
 

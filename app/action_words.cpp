@@ -217,6 +217,7 @@ std::string run_json(const ActionReport& report) {
   Json json = subject(report);
   json["terrain"] = sim3d::to_string(report.input->terrain);
   json["seed"] = report.input->seed;
+  json["plant"] = recording::json(report.input->plant);
   json["controller"] = to_string(report.input->controller);
   json["outcome"] = to_string(s.result.outcome);
   json["cause"] = to_string(s.result.cause);

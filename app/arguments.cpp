@@ -127,6 +127,7 @@ void refuse_in_side_view(const WalkArguments& a) {
   refuse(!a.spin.empty(), "--spin", kStraight);
   refuse(!a.commands.empty(), "--commands", kStraight);
   refuse(!a.random_commands.empty(), "--random-commands", kStraight);
+  refuse(a.plant.given(), "--plant, or an option of it,", "its plant is ideal");
   refuse(a.no_contacts, "--no-contacts", "it feels the ground by its motors");
   refuse(a.no_joint_feedback, "--no-joint-feedback", "it feels the ground by its motors");
 }
@@ -176,6 +177,7 @@ recording::Simulation simulation(const WalkArguments& arguments, const RobotMode
   result.control_dt = control_period(arguments, result.physics_dt, result.control_dt);
   result.sensors = {.joint_feedback = !arguments.no_joint_feedback,
                     .foot_contacts = !arguments.no_contacts};
+  result.plant = plant(arguments.plant);
   result.gait = gait(arguments);
   if (!arguments.random_posture.empty())
     result.random_posture = posture_spread(arguments.random_posture, robot);

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "plant_options.hpp"
+
 namespace hexagait::app {
 
 /// `hexagait walk` as it was typed. An empty text is an option that was not given.
@@ -19,6 +21,7 @@ struct WalkArguments {
   std::string seed = "1", seconds = "40", distance;
   std::string random_posture, physics_step, control_period;
   bool no_contacts = false, no_joint_feedback = false;
+  PlantArguments plant;
   bool json = false, quiet = false;
   std::string plot, trace, movie;
 };

@@ -37,6 +37,19 @@ TEST_F(Cli, RefusesNumbersOutOfRange) {
   refuses("walk --random-commands 0", {"--random-commands", "'0'"});
 }
 
+TEST_F(Cli, RefusesPlantsThatAreNoneAndTellsAllAtOnce) {
+  refuses("walk --plant rael", {"--plant", "'rael'", "did you mean 'real'?"});
+  refuses("walk --joint-noise -1mrad --late-ticks 200% --sensing-delay 2s",
+          {"--joint-noise is '-1mrad'; it must be an angle from 0 to 0.2 rad",
+           "--late-ticks is '200%'; it must be a share from 0 to 1",
+           "--sensing-delay is '2s'; it must be a time from 0 to 1 s"});
+  refuses("walk --plant real+frction:1", {"--plant", "did you mean 'friction'?"});
+  refuses("walk --servo hobby", {"--servo", "'hobby'", "position_only"});
+  refuses("run nod --mass-error 2", {"--mass-error is '2'", "0.9"});
+  refuses("run nod --servo position-only --controller virtual_model", {"--servo", "--controller"});
+  refuses("walk --robot genghis2d --friction 0.4", {"--plant", "genghis2d"});
+}
+
 TEST_F(Cli, RefusesHeadingsThatAreNone) {
   refuses("walk --radius 0", {"--radius", "spin"});
   refuses("walk --radius nan", {"--radius", "'nan'", "inf"});

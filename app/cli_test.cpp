@@ -86,6 +86,32 @@ TEST_F(Cli, TellsTheGaitAndTheCommandsInJson) {
   EXPECT_EQ(json["commands"][1]["curvature_per_m"], 0.5);
 }
 
+// A preset, and options that override it, for walks and actions alike.
+TEST_F(Cli, WalksWithAnImperfectPlantAndTellsIt) {
+  const auto plant = [this](const std::string& command) {
+    return nlohmann::json::parse(run(command + " --json --quiet").out)["plant"];
+  };
+  const std::string walk = "walk --seconds 0.5";
+  EXPECT_EQ(plant(walk)["name"], "ideal");
+  EXPECT_EQ(plant(walk)["friction"], 0.9);
+  const auto real = plant(walk + " --plant real --friction 0.4 --joint-noise 1mrad");
+  EXPECT_EQ(real["name"], "real+friction:0.4+joint_noise:1mrad");
+  EXPECT_EQ(real["friction"], 0.4);
+  EXPECT_EQ(real["joint_noise_rad"], 0.001);
+  EXPECT_EQ(real["mass_error"], 0.1);
+  EXPECT_EQ(real["contact_bounce_s"], 0.004);
+  EXPECT_EQ(plant(walk + " --servo position-only")["positions_only"], true);
+  EXPECT_EQ(plant("run nod --plant real")["name"], "real");
+  const auto hash = [this](const std::string& command) {
+    return nlohmann::json::parse(run(command + " --json --quiet").out)["state_hash"];
+  };
+  EXPECT_EQ(hash(walk + " --plant real"), hash(walk + " --plant real"));
+  EXPECT_NE(hash(walk + " --plant real"), hash(walk));
+  EXPECT_NE(hash("run nod --plant real"), hash("run nod"));
+  EXPECT_THAT(run("list plants").out,
+              AllOf(HasSubstr("real"), HasSubstr("joint_noise"), HasSubstr("12bit")));
+}
+
 TEST_F(Cli, WalksAWaveGaitOnRequest) {
   EXPECT_EQ(
       nlohmann::json::parse(run("walk --seconds 3 --gait wave:0.6 --json").out)["state_hash"],

@@ -96,6 +96,22 @@ List terrains() {
   return list;
 }
 
+List plants() {
+  List list;
+  for (const recording::PlantPreset& preset : recording::plant_presets()) {
+    list.text += fmt::format("{:<10} {}\n", preset.name, preset.meaning);
+    list.json.push_back({{"name", preset.name}, {"meaning", preset.meaning}});
+  }
+  list.text += "\nAnd what differs: NAME:VALUE, joined by +, as in real+friction:0.4. NAME is\n";
+  for (const recording::PlantNumber& number : recording::plant_numbers()) {
+    list.text += fmt::format("{:<20} {}: {}\n", number.name, number.meaning, expected(number));
+    list.json.push_back(
+        {{"name", number.name}, {"meaning", number.meaning}, {"value", expected(number)}});
+  }
+  list.text += fmt::format("{:<20} What servos take: ideal or position_only\n", recording::kServo);
+  return list;
+}
+
 List experiments_list() {
   List list;
   for (const experiments::Experiment& experiment : experiments::experiments()) {
@@ -116,6 +132,7 @@ int list_command(const std::string& what, bool json) {
   const Kind kinds[] = {{"robots", robots},
                         {"actions", actions},
                         {"terrains", terrains},
+                        {"plants", plants},
                         {"experiments", experiments_list}};
   std::vector<std::string> names;
   for (const Kind& kind : kinds) {
@@ -126,7 +143,8 @@ int list_command(const std::string& what, bool json) {
     return kOk;
   }
   throw InvalidInput(
-      fmt::format("there is no list of '{}'{}; there are robots, actions, terrains and experiments",
+      fmt::format("there is no list of '{}'{}; there are robots, actions, terrains, plants and "
+                  "experiments",
                   what, did_you_mean(what, names)));
 }
 

@@ -64,11 +64,12 @@ int preview_command(const ActionArguments& arguments) {
 
 // The first interrupt stops the action, so that the robot comes to a stance; the second ends all.
 walk::ActionSummary simulate(const ActionInput& input, double seconds, Figure& figure, bool quiet) {
-  sim3d::WorldParams params;
+  sim3d::WorldParams params = input.plant.world;
   params.seed = input.seed;
   params.start_height = input.start.height;
   sim3d::World world(input.robot, input.terrain, params, input.start.q);
   RunnerParams runner_params;
+  walk::FaultyPlant plant(world, input.robot, input.plant.faults, params.control_dt, input.seed);
   runner_params.executor.controller = input.controller;
   ActionRunner runner(input.robot, runner_params);
   walk::ActionTrialOptions options;
@@ -83,7 +84,7 @@ walk::ActionSummary simulate(const ActionInput& input, double seconds, Figure& f
     if (interrupts > 0) runner.stop();
     return interrupts < 2;
   };
-  return run_action(runner, world, world.truth(), input.action, options, observe);
+  return run_action(runner, plant, world.truth(), input.action, options, observe);
 }
 
 }  // namespace

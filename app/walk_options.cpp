@@ -16,6 +16,8 @@ Examples:
   hexagait walk --spin cw --seconds 10              on the spot, to the right
   hexagait walk --crab 45deg --distance 2 --json    diagonally, as one JSON object
   hexagait walk --duty-factor 0.75                  a tetrapod wave gait
+  hexagait walk --plant real --terrain boxes:10cm   with sensors, delays and masses as they are
+  hexagait walk --joint-noise 2mrad --late-ticks 5% --servo position-only
   hexagait walk --robot genghis2d --terrain step:10cm --plot genghis.png
                                                     Genghis II from the side
   hexagait walk --random-commands 5 --plot walk.svg --trace walk.csv
@@ -63,7 +65,7 @@ void add_length_and_start(CLI::App& walk, WalkArguments& a) {
   walk.add_option("--random-posture", a.random_posture,
                   "Start with feet displaced by up to this; at most a workspace's radius")
       ->type_name("LENGTH");
-  walk.add_option("--seed", a.seed, "Seed of terrain, posture and commands: 0, 1, 2, …")
+  walk.add_option("--seed", a.seed, "Seed of terrain, posture, commands and plant: 0, 1, 2, …")
       ->type_name("N")
       ->capture_default_str();
 }
@@ -109,6 +111,7 @@ void add_walk(CLI::App& app, WalkArguments& a) {
   group(*walk, "How long, and from where");
   add_simulator(*walk, a);
   group(*walk, "Sensors and steps of time");
+  add_plant(*walk, a.plant);
   add_output(*walk, a);
   group(*walk, "Results");
 }

@@ -58,6 +58,13 @@ Json leg_json(const LegModel& leg) {
 
 }  // namespace
 
+Json json(const PlantSetup& plant) {
+  Json json = {{"name", plant.name}};
+  for (const PlantNumber& number : plant_numbers()) json[name_with_unit(number)] = number.of(plant);
+  json["positions_only"] = plant.faults.positions_only;
+  return json;
+}
+
 Json configuration(const WalkReport& report) {
   const Simulation& simulation = report.simulation;
   const walk::Schedule& schedule = simulation.trial.schedule;
@@ -75,6 +82,7 @@ Json configuration(const WalkReport& report) {
           {"random_posture_m", simulation.random_posture},
           {"foot_contacts", simulation.sensors.foot_contacts},
           {"joint_feedback", simulation.sensors.joint_feedback},
+          {"plant", json(simulation.plant)},
           {"physics_step_s", simulation.physics_dt},
           {"control_period_s", simulation.control_dt}};
 }

@@ -24,9 +24,10 @@ void append(Parameters& to, const std::string& prefix, const Parameters& more) {
 // ---- three dimensions -------------------------------------------------------------------------
 
 Parameters parameters(const sim3d::WorldParams& params) {
-  const auto& [physics_dt, control_dt, seed, gravity, kp, kd, kv, servo_friction, friction,
-               threshold, contact_erp, contact_cfm, correcting_speed, hinge_erp, hinge_cfm, start,
-               clearance, height, blocks, on_stand] = params;
+  const auto& [physics_dt, control_dt, seed, gravity, kp, kd, kv, servo_friction, velocity_limits,
+               drive_friction, armature, servo_lag, mass_error, friction, threshold, contact_erp,
+               contact_cfm, correcting_speed, hinge_erp, hinge_cfm, start, clearance, height,
+               blocks, on_stand] = params;
   return {{"physics_dt_s", physics_dt},
           {"control_dt_s", control_dt},
           {"gravity_m_s2", gravity},
@@ -34,6 +35,11 @@ Parameters parameters(const sim3d::WorldParams& params) {
           {"servo_kd_n_m_s_rad", kd},
           {"servo_kv_n_m_s_rad", kv},
           {"servo_friction_n_m_s_rad", servo_friction},
+          {"velocity_limits", velocity_limits},
+          {"drive_friction_n_m", drive_friction},
+          {"armature_kg_m2", armature},
+          {"servo_lag_s", servo_lag},
+          {"mass_error", mass_error},
           {"friction", friction},
           {"contact_threshold_n", threshold},
           {"contact_erp", contact_erp},

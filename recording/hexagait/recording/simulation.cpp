@@ -10,7 +10,7 @@ double physics_step_for(double control_dt, double usual) {
 }
 
 sim3d::WorldParams world_params(const Simulation& simulation) {
-  sim3d::WorldParams params;
+  sim3d::WorldParams params = simulation.plant.world;
   params.physics_dt = simulation.physics_dt;
   params.control_dt = simulation.control_dt;
   params.seed = simulation.seed;
@@ -30,13 +30,15 @@ walk::Summary simulate(const RobotModel& robot, const Simulation& simulation,
                        const walk::Observer& observer, const std::atomic<bool>* stop) {
   sim3d::World world(robot, simulation.terrain, world_params(simulation),
                      walk::random_posture(robot, simulation.random_posture, simulation.seed));
+  walk::FaultyPlant plant(world, robot, simulation.plant.faults, simulation.control_dt,
+                          simulation.seed);
   footstep_gen::Walker walker(robot, walker_params(simulation));
 
   const auto watch = [&](const auto& record, const auto& truth, const auto& referee) {
     if (observer) observer(record, truth, referee);
     if (stop != nullptr && stop->load()) walker.emergency_stop();
   };
-  return walk::run_trial(walker, world, world.truth(), simulation.trial, watch);
+  return walk::run_trial(walker, plant, world.truth(), simulation.trial, watch);
 }
 
 }  // namespace hexagait::recording

@@ -4,7 +4,7 @@
 
 #include <atomic>
 #include <hexagait/gait_state/gait_choice.hpp>
-#include <hexagait/sim3d/world.hpp>
+#include <hexagait/recording/plant_setup.hpp>
 #include <hexagait/walk/trial.hpp>
 #include <string>
 
@@ -13,9 +13,10 @@ namespace hexagait::recording {
 /// A walk of a robot in the simulator, as a value: everything that decides how it goes.
 struct Simulation {
   sim3d::TerrainSpec terrain;
-  std::uint64_t seed = 1;     ///< of the terrain and of the random posture
+  std::uint64_t seed = 1;     ///< of terrain, random posture, and all that is drawn of the plant
   double physics_dt = 0.002;  ///< physics step [s]
   double control_dt = 0.002;  ///< control period, a whole number of physics steps [s]
+  PlantSetup plant;           ///< what is not ideal about the robot, its sensors and the ground
   SensorMask sensors;
   gait_state::GaitChoice gait;  ///< until the schedule says otherwise
   double random_posture = 0.0;  ///< feet start displaced by up to this [m]

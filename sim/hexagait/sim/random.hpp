@@ -15,7 +15,9 @@ enum class RandomStream : std::uint32_t {
   commands = 3,
   noise = 4,
   test = 5,
-  seeds = 16,  ///< of the trials of a sweep
+  masses = 6,   ///< of links that differ from the model
+  sensors = 7,  ///< noise, bounce and losses between plant and controller
+  seeds = 16,   ///< of the trials of a sweep
 };
 
 /// A counter-based random number: a pure function of (seed, stream, trial, draw), with no state.

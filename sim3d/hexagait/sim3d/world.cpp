@@ -171,6 +171,23 @@ class World::Impl {
   GroundTruth truth_;
 };
 
+std::span<const Imperfection<WorldParams>> imperfections() {
+  static constexpr Imperfection<WorldParams> kAll[] = {
+      {"friction", &WorldParams::friction, PlantUnit::number, 0.0, 10.0,
+       "Coefficient of friction between feet and ground"},
+      {"contact_threshold", &WorldParams::contact_threshold, PlantUnit::force, 0.0, 1e5,
+       "Force from which a foot's contact sensor closes"},
+      {"servo_lag", &WorldParams::servo_lag, PlantUnit::time, 0.0, 1.0,
+       "Servos follow their targets with this time constant"},
+      {"drive_friction", &WorldParams::drive_friction, PlantUnit::torque, 0.0, 1e4,
+       "Dry friction of every drive"},
+      {"armature", &WorldParams::armature, PlantUnit::inertia, 0.0, 1e3,
+       "Inertia of every drive's rotor, seen at the joint"},
+      {"mass_error", &WorldParams::mass_error, PlantUnit::share, 0.0, 0.9,
+       "Every link is heavier or lighter by this than the controller thinks"}};
+  return kAll;
+}
+
 World::World(const RobotModel& robot, const TerrainSpec& terrain, const WorldParams& params,
              const LegArray<LegJoints>& q) {
   detail::check(robot, params, q);

@@ -7,9 +7,11 @@
 #include <hexagait/model/robot_model.hpp>
 #include <hexagait/plant/plant.hpp>
 #include <hexagait/sim/ground_truth.hpp>
+#include <hexagait/sim/imperfection.hpp>
 #include <hexagait/sim3d/terrain.hpp>
 #include <limits>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace hexagait::sim3d {
@@ -28,7 +30,7 @@ struct WorldParams {
   /// Control period, by which write() advances the world [s]. A multiple of physics_dt.
   double control_dt = 0.002;
 
-  /// Seed of the terrain.
+  /// Seed of the terrain, and of the masses of mass_error.
   std::uint64_t seed = 1;
 
   double gravity = 9.81;  ///< [m/s²], along −z
@@ -44,6 +46,26 @@ struct WorldParams {
 
   /// Viscous friction D of the drive in effort mode, τ = τ* − D q̇₊ [N m s/rad].
   double servo_friction = 1.0;
+
+  /// The drives keep to the model's velocity limits, as motors with so much voltage do: no torque
+  /// drives a joint beyond them, and what is moved faster from outside is braked.
+  bool velocity_limits = true;
+
+  /// Dry friction of every drive and its gear, which opposes any motion of the joint [N m]. Not
+  /// part of the servo's effort and its limit. Too high: joints stick, and stop beside their targets.
+  double drive_friction = 0.0;
+
+  /// Inertia of every drive's rotor as seen at the joint, its own times the square of the gear
+  /// ratio [kg m²]. It does not turn with the link: the robot's mass and inertia are unchanged.
+  double armature = 0.0;
+
+  /// Time constant T of servos that follow their targets late [s]: they hold to q̃, of which
+  /// T dq̃/dt = q* − q̃, and the same of q̇* and τ*.
+  double servo_lag = 0.0;
+
+  /// Masses and inertias of all links differ from the model's by this share, each up or down by lot
+  /// (of `seed`). The controller's model does not.
+  double mass_error = 0.0;
 
   /// Coefficient μ of Coulomb friction between robot and ground; a pyramid: at most μ · normal
   /// force in each of two directions along the ground.
@@ -81,6 +103,9 @@ struct WorldParams {
   bool base_on_stand = false;
 };
 
+/// Those of the parameters that say how far the robot and the ground are from ideal ones.
+[[nodiscard]] std::span<const Imperfection<WorldParams>> imperfections();
+
 /// A robot in a rigid-body world: a Plant that also gives a referee the ground truth.
 ///
 /// Every joint has the same position servo, an implicit spring-damper with feed-forward,
@@ -93,6 +118,12 @@ struct WorldParams {
 /// only stops that joints have. Legs can also be driven by velocity or by effort
 /// (JointTargets::mode); a joint that reaches its limit is then held there by the position servo.
 /// Before the first write() the servos hold the initial joint positions.
+///
+/// With a velocity limit v the drive's torque is bounded by the steep lines of a motor at its limit,
+///
+///     G (−v − q̇₊) ≤ τ ≤ G (v − q̇₊)
+///
+/// in which G is ten times the greatest gain of a servo: far above what the load asks for.
 ///
 /// Feet are the spheres at the legs' foot centres. All other shapes collide with the ground too,
 /// but have no sensor. Links of the robot do not collide with each other. The ground is unbounded:

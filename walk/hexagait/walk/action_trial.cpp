@@ -121,9 +121,10 @@ Measurement settled(ActionRunner& runner, Plant& plant, const ActionTrialOptions
     hold(plant, measurement, ticks);
   } else {
     runner.start(measurement);
+    PlantStatus status = PlantStatus::fresh;
     for (long k = 0; k < ticks; ++k) {
-      plant.write(runner.tick(PlantStatus::fresh, measurement).desired.targets);
-      plant.read(measurement);
+      plant.write(runner.tick(status, measurement).desired.targets);
+      status = plant.read(measurement);
     }
   }
   runner.start(measurement, options.rests_on);

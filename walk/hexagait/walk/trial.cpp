@@ -20,13 +20,13 @@ double processor_seconds() {
 // Lets the robot come to rest on its feet before anything is judged.
 Measurement settled(footstep_gen::Walker& walker, Plant& plant, double seconds) {
   Measurement measurement;
-  plant.read(measurement);
+  PlantStatus status = plant.read(measurement);
   walker.start(measurement);
   const double dt = walker.params().control_dt;
   const auto stop = heading_control::Heading::stop();
   for (double t = 0.0; t < seconds; t += dt) {
-    plant.write(walker.tick(PlantStatus::fresh, measurement, stop).targets);
-    plant.read(measurement);
+    plant.write(walker.tick(status, measurement, stop).targets);
+    status = plant.read(measurement);
   }
   walker.start(measurement);
   return measurement;

@@ -18,7 +18,7 @@ struct Unit {
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr Unit kLengths[] = {{"", 1.0}, {"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}};
 constexpr Unit kTimes[] = {{"", 1.0}, {"s", 1.0}, {"ms", 1e-3}, {"us", 1e-6}, {"min", 60.0}};
-constexpr Unit kAngles[] = {{"", 1.0}, {"rad", 1.0}, {"deg", kDegree}};
+constexpr Unit kAngles[] = {{"", 1.0}, {"rad", 1.0}, {"mrad", 1e-3}, {"deg", kDegree}};
 constexpr Unit kNumbers[] = {{"", 1.0}};
 
 std::span<const Unit> units(Dimension dimension) {

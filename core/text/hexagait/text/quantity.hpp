@@ -13,7 +13,7 @@ enum class Dimension : std::uint8_t {
   number,        ///< no unit is read
   length,        ///< m, cm, mm
   time,          ///< s, ms, us, min
-  angle,         ///< rad, deg; without a unit at most 2π
+  angle,         ///< rad, mrad, deg; without a unit at most 2π
   angular_rate,  ///< as an angle, per second or per second squared, but without that bound
 };
 

@@ -24,6 +24,9 @@ template <class T>
   return value ? Json(*value) : Json(nullptr);
 }
 
+/// Its name, and all its numbers with their units.
+[[nodiscard]] Json json(const PlantSetup& plant);
+
 /// What decides how a walk goes; how it went; how long that took.
 [[nodiscard]] Json configuration(const WalkReport& report);
 [[nodiscard]] Json results(const WalkReport& report);

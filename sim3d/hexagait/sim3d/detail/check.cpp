@@ -42,8 +42,7 @@ void check_params(Violations& violations, const WorldParams& p) {
   positive("servo_kd [N m s/rad]", p.servo_kd);
   positive("servo_kv [N m s/rad]", p.servo_kv);
   positive("servo_friction [N m s/rad]", p.servo_friction);
-  not_negative("friction", p.friction);
-  not_negative("contact_threshold [N]", p.contact_threshold);
+  check_ranges(violations, imperfections(), p);
   fraction("contact_erp", p.contact_erp);
   not_negative("contact_cfm [m/(N s)]", p.contact_cfm);
   positive("contact_correcting_speed [m/s]", p.contact_correcting_speed);
@@ -70,7 +69,8 @@ void check_link(Violations& violations, const LinkModel& link) {
   }
 }
 
-void check_leg(Violations& violations, const LegModel& leg, const LegJoints& q) {
+void check_leg(Violations& violations, const LegModel& leg, const WorldParams& params,
+               const LegJoints& q) {
   for (const LinkModel& link : leg.links) check_link(violations, link);
   const auto is_its_foot = [&leg](const Shape& shape) { return is_foot(shape, leg); };
   if (std::ranges::none_of(leg.links.back().shapes, is_its_foot)) {
@@ -83,6 +83,10 @@ void check_leg(Violations& violations, const LegModel& leg, const LegJoints& q) 
     if (!(limits.effort > 0.0)) {
       violations.add(leg.joint_names[k],
                      "effort limit " + in_words(limits.effort) + " N m must be positive");
+    }
+    if (params.velocity_limits && !(limits.velocity > 0.0)) {
+      violations.add(leg.joint_names[k],
+                     "velocity limit " + in_words(limits.velocity) + " rad/s must be positive");
     }
     if (!(limits.lower - kSlack <= value && value <= limits.upper + kSlack)) {
       violations.add(leg.joint_names[k], "initial position " + in_words(value) +
@@ -103,7 +107,7 @@ void check(const RobotModel& robot, const WorldParams& params, const LegArray<Le
                    std::to_string(q.size()) + " legs must be " + std::to_string(robot.num_legs()));
   }
   for (LegId leg = 0; leg < std::min(q.size(), robot.num_legs()); ++leg) {
-    check_leg(violations, robot.legs[leg], q[leg]);
+    check_leg(violations, robot.legs[leg], params, q[leg]);
   }
   violations.throw_if_any();
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <hexagait/model/kinematics.hpp>
+#include <hexagait/sim/random.hpp>
 #include <hexagait/sim3d/detail/robot.hpp>
 
 namespace hexagait::sim3d::detail {
@@ -13,6 +14,7 @@ constexpr double kFastest = 1e4;   // [m/s], [rad/s]
 
 constexpr double kSamePlace = 1e-6;  // [m]
 constexpr double kNearLimit = 0.8;   // of a servo's effort limit: see Robot::step()
+constexpr int kMostRepeats = 8;      // of a step: far more than are ever needed
 
 void place(dBodyID body, const Pose& X_WL, const Vector3& p_LM) {
   const Vector3 p_WM = X_WL * p_LM;
@@ -42,6 +44,21 @@ dGeomID make_geom(const Shape& shape) {
   return nullptr;
 }
 
+// The robot as it is built: each link heavier or lighter than its model by a share.
+RobotModel with_mass_errors(RobotModel model, const WorldParams& params) {
+  if (params.mass_error == 0.0) return model;
+  RandomSequence lot{.seed = params.seed, .stream = RandomStream::masses};
+  const auto change = [&](LinkModel& link) {
+    const double factor = 1.0 + (lot.u01() < 0.5 ? -1.0 : 1.0) * params.mass_error;
+    link.mass *= factor;
+    link.inertia_M_L *= factor;
+  };
+  change(model.base);
+  for (LegModel& leg : model.legs)
+    for (LinkModel& link : leg.links) change(link);
+  return model;
+}
+
 }  // namespace
 
 bool is_foot(const Shape& shape, const LegModel& leg) {
@@ -53,11 +70,11 @@ Robot::Robot(dWorldID world, const RobotModel& model, const WorldParams& params,
              const LegArray<LegJoints>& q)
     : world_(world),
       h_(params.physics_dt),
-      model_(model),
+      model_(with_mass_errors(model, params)),
       servos_(params, q),
       links_(model.num_legs()) {
-  base_ = make_link(model.base, X_WB);
-  make_shapes(model.base, base_);
+  base_ = make_link(model_.base, X_WB);
+  make_shapes(model_.base, base_);
   if (params.base_on_stand) dBodySetKinematic(base_.body);
 
   // Hinges read zero where they are made: make them in the zero configuration, then move the legs.
@@ -105,7 +122,7 @@ void Robot::make_leg(LegId leg, const Pose& X_WB) {
     const Vector3 anchor = X_WB * model.p_BJ0[k], axis = X_WB.R * model.axis_B0[k];
     dJointSetHingeAnchor(hinge, anchor.x(), anchor.y(), anchor.z());
     dJointSetHingeAxis(hinge, axis.x(), axis.y(), axis.z());
-    servos_.add(hinge, leg, k, model.limits[k]);
+    servos_.add(world_, hinge, leg, k, model.limits[k]);
     parent = link.body;
   }
 
@@ -123,19 +140,19 @@ void Robot::move_leg_to(LegId leg, const Pose& X_WB, const LegJoints& q) {
   }
 }
 
-// The solver spends most of its time on bounded rows, but servos are rarely at their effort limits.
-// So only those near their limit in the last step are bounded. If another one exceeds its limit,
-// the step is undone and repeated with all bounds. A solution that violates no bound is also the
-// solution of the bounded problem, so this affects only the run time.
+// The solver spends most of its time on bounded rows, but servos are rarely at their limits. So only
+// those near their effort limit in the last step are bounded, and only those at their velocity limit
+// in the last step have its row. If another one exceeds a limit, the step is undone and repeated
+// with all bounds, and with its row. A solution that violates no bound is also the solution of the
+// bounded problem, so this affects only the run time.
 void Robot::step(double to_come, const Vector3& force_W) {
   servos_.command(to_come);
   servos_.bound(kNearLimit);
   save_bodies();
   step_world(force_W);
 
-  if (servos_.some_effort_too_large()) {
+  for (int k = 0; k < kMostRepeats && servos_.correct(); ++k) {
     restore_bodies();
-    servos_.bound(0.0);
     step_world(force_W);
   }
   servos_.read_positions();

@@ -22,13 +22,19 @@ namespace hexagait::sim3d::detail {
 /// with q*, q̇*, τ* the targets, q the position before and q₊ = q + h q̇₊, q̇₊ the state after the
 /// step. In velocity mode CFM = 1/Kv and v = q̇* + τ*/Kv. In effort mode CFM = 1/D and v = τ*/D,
 /// with D the friction of the drive, which gives τ = τ* − D q̇₊.
+///
+/// A drive at its velocity limit is a row with v = ± limit and a gain G that is greater than any
+/// other. Which of its three rows a servo needs, its own or one of these, shows after the step: see
+/// correct(). A rotor of inertia I is a row of its own, τ = I (q̇ − q̇₊)/h, and so is dry friction:
+/// v = 0, with FMax the friction.
 class Servos {
  public:
   /// Servos that hold q.
   Servos(const WorldParams& params, const LegArray<LegJoints>& q);
 
   /// Adds the servo of a hinge with the same zero as the joint.
-  void add(dJointID hinge, LegId leg, Eigen::Index joint, const JointLimits& limits);
+  void add(dWorldID world, dJointID hinge, LegId leg, Eigen::Index joint,
+           const JointLimits& limits);
 
   /// Sets the targets; positions reach `targets.q` at the end of the control period, at
   /// `targets.qd`.
@@ -44,8 +50,10 @@ class Servos {
   /// Reads the effort of each servo after a step.
   void read_efforts();
 
-  /// Did a servo whose limit was not enforced exceed it, or is an effort not a number?
-  [[nodiscard]] bool some_effort_too_large() const;
+  /// Did the last step not keep to what the servos can do: an effort beyond a limit that was not
+  /// enforced, a speed beyond a limit, a speed limit where none was reached? Then the rows are
+  /// changed, and the step is to be taken again.
+  [[nodiscard]] bool correct();
 
   /// Reads the joint positions after a step; they are continuous past ±π.
   void read_positions();
@@ -54,26 +62,39 @@ class Servos {
   [[nodiscard]] const LegArray<LegJoints>& efforts() const { return efforts_; }  ///< [N m]
 
  private:
+  struct Motor {
+    double v = 0.0;     // speed [rad/s]
+    double gain = 0.0;  // 1/CFM [N m s/rad]
+  };
   struct Servo {
     dJointID hinge = nullptr;
     LegId leg = 0;
     Eigen::Index joint = 0;
     JointLimits limits;
-    double v = 0.0;        // commanded motor speed [rad/s]
-    double gain = 0.0;     // 1/CFM [N m s/rad]
-    bool bounded = false;  // does the solver enforce the limit?
+    dJointID rotor = nullptr;  // rows of their own, if there are such
+    Motor own = {};            // as commanded, without a velocity limit
+    Motor row = {};            // in the solver
+    int at_limit = 0;          // ±1: the row is that of the velocity limit
+    bool bounded = false;      // does the solver enforce the effort limit?
   };
 
-  struct Motor {
-    double v, gain;
-  };
-  [[nodiscard]] Motor motor_of(const Servo& servo, double to_come) const;
+  [[nodiscard]] Motor motor_of(const Servo& servo) const;
+  void follow_targets(double to_come);
+  void use(Servo& servo, int at_limit);
+  [[nodiscard]] Motor limit_of(const Servo& servo, int side) const;
+  [[nodiscard]] bool correct_speed(Servo& servo);
+  [[nodiscard]] bool some_effort_too_large() const;
 
+  double h_;          // physics step [s]
   double kp_, gain_;  // gain = Kd + h Kp
   double kv_, friction_;
+  double limit_gain_;  // G of velocity limits; 0: there are none
+  double share_;       // of the way to a target that a servo with lag goes in a step
+  double armature_, drive_friction_;
   std::vector<Servo> servos_;
   LegArray<LegJoints> q_, efforts_;
   JointTargets targets_;
+  LegArray<LegJoints> q_wanted_, qd_wanted_, effort_wanted_;  // now, with lag
 };
 
 }  // namespace hexagait::sim3d::detail

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plant_options.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <hexagait/text/invalid_input.hpp>
+
+#include "usage.hpp"
+
+namespace hexagait::app {
+namespace {
+
+// "joint_noise" as an option.
+std::string option(std::string name) {
+  std::ranges::replace(name, '_', '-');
+  return "--" + name;
+}
+
+const char* type_name(PlantUnit unit) {
+  switch (unit) {
+    case PlantUnit::number:
+      return "MU";
+    case PlantUnit::share:
+      return "SHARE";
+    case PlantUnit::angle:
+      return "ANGLE";
+    case PlantUnit::time:
+      return "TIME";
+    case PlantUnit::force:
+      return "FORCE";
+    case PlantUnit::torque:
+      return "TORQUE";
+    case PlantUnit::inertia:
+      return "INERTIA";
+  }
+  return "";
+}
+
+}  // namespace
+
+bool PlantArguments::given() const {
+  return plant != "ideal" ||
+         std::ranges::any_of(values, [](const auto& value) { return !value.second.empty(); });
+}
+
+void add_plant(CLI::App& command, PlantArguments& a) {
+  command
+      .add_option("--plant", a.plant,
+                  "How far it is from ideal: ideal, real, or those and more: see hexagait list "
+                  "plants; the options below override it")
+      ->type_name("PLANT")
+      ->capture_default_str();
+  for (const recording::PlantNumber& number : recording::plant_numbers())
+    command
+        .add_option(option(number.name), a.values[number.name],
+                    fmt::format("{}; {}", number.meaning, recording::expected(number)))
+        ->type_name(type_name(number.unit));
+  command
+      .add_option("--servo", a.values[recording::kServo],
+                  "ideal, or position-only: without velocities and efforts fed forward")
+      ->type_name("KIND");
+  group(command, "Imperfect robot, sensors and ground");
+}
+
+recording::PlantSetup plant(const PlantArguments& arguments) {
+  std::vector<std::string> problems;
+  recording::PlantSetup setup;
+  try {
+    setup = recording::parse_plant(arguments.plant);
+  } catch (const InvalidInput& error) {
+    problems.push_back(fmt::format("--plant: {}", error.what()));
+  }
+  for (const auto& [name, value] : arguments.values) {
+    if (value.empty()) continue;
+    const std::string problem = set(setup, name, value, option(name));
+    if (!problem.empty()) problems.push_back(problem);
+    setup.name = fmt::format("{}{}:{}", setup.name == "ideal" ? "" : setup.name + "+", name, value);
+  }
+  if (!problems.empty()) throw InvalidInput(fmt::format("{}", fmt::join(problems, "\n")));
+  return setup;
+}
+
+}  // namespace hexagait::app

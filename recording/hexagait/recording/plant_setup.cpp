@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <hexagait/recording/plant_setup.hpp>
+#include <hexagait/text/invalid_input.hpp>
+#include <hexagait/text/nearest_word.hpp>
+#include <hexagait/text/quantity.hpp>
+#include <numbers>
+#include <optional>
+
+namespace hexagait::recording {
+namespace {
+
+constexpr std::string_view kQuantisation = "joint_quantisation";
+
+// The step of a sensor of so many bits a turn.
+double step_of(int bits) { return std::ldexp(2.0 * std::numbers::pi, -bits); }
+
+PlantSetup real_plant() {
+  PlantSetup setup;
+  setup.name = "real";
+  setup.world.friction = 0.6;
+  setup.world.mass_error = 0.1;
+  setup.faults.joint_noise = 5e-4;
+  setup.faults.joint_quantisation = step_of(12);
+  setup.faults.contact_bounce = 0.004;
+  setup.faults.sensing_delay = 0.002;
+  setup.faults.command_delay = 0.004;
+  return setup;
+}
+
+// How a unit is written, and in messages.
+struct UnitWords {
+  std::string_view suffix, in_json, kind, examples;
+};
+UnitWords words(PlantUnit unit) {
+  switch (unit) {
+    case PlantUnit::number:
+      return {"", "", "a number", "such as 0.6"};
+    case PlantUnit::share:
+      return {"%", "", "a share", "such as 0.05 or 5%"};
+    case PlantUnit::angle:
+      return {"", "_rad", "an angle", "such as 0.5mrad or 0.03deg"};
+    case PlantUnit::time:
+      return {"", "_s", "a time", "such as 0.004 or 4ms"};
+    case PlantUnit::force:
+      return {"N", "_n", "a force", "such as 5 or 5N"};
+    case PlantUnit::torque:
+      return {"Nm", "_n_m", "a torque", "such as 2 or 2Nm"};
+    case PlantUnit::inertia:
+      return {"kgm2", "_kg_m2", "an inertia", "such as 0.1 or 0.1kgm2"};
+  }
+  return {};
+}
+
+Dimension dimension(PlantUnit unit) {
+  if (unit == PlantUnit::angle) return Dimension::angle;
+  return unit == PlantUnit::time ? Dimension::time : Dimension::number;
+}
+
+// "12bit" as an angle.
+std::optional<double> bits(std::string_view text) {
+  if (!text.ends_with("bit")) return {};
+  text.remove_suffix(3);
+  int count = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  return whole && 1 <= count && count <= 32 ? std::optional(step_of(count)) : std::nullopt;
+}
+
+std::optional<double> value_of(const PlantNumber& number, std::string_view text) {
+  if (number.name == kQuantisation)
+    if (const auto step = bits(text)) return step;
+  const std::string_view suffix = words(number.unit).suffix;
+  const bool has_suffix = !suffix.empty() && text.ends_with(suffix);
+  if (has_suffix) text.remove_suffix(suffix.size());
+  const auto [value, problem] = parse_quantity(text, dimension(number.unit));
+  if (!problem.empty()) return {};
+  return has_suffix && number.unit == PlantUnit::share ? value / 100.0 : value;
+}
+
+std::string set_servo(PlantSetup& setup, const std::string& value, const std::string& spoken) {
+  setup.faults.positions_only = value == "position_only" || value == "position-only";
+  if (setup.faults.positions_only || value == "ideal") return "";
+  const std::vector<std::string> known = {"ideal", "position_only"};
+  return fmt::format("{} is '{}'{}; it must be ideal or position_only", spoken, value,
+                     did_you_mean(value, known));
+}
+
+// The keys of a plant, and its presets.
+std::vector<std::string> known_words() {
+  std::vector<std::string> known = {kServo};
+  for (const PlantNumber& number : plant_numbers()) known.emplace_back(number.name);
+  for (const PlantPreset& preset : plant_presets()) known.emplace_back(preset.name);
+  return known;
+}
+
+// One part of the text of a plant.
+std::string take(PlantSetup& setup, const std::string& part, bool is_first) {
+  const std::size_t colon = part.find(':');
+  if (colon != std::string::npos)
+    return set(setup, part.substr(0, colon), part.substr(colon + 1), part.substr(0, colon));
+  if (is_first)
+    for (const PlantPreset& preset : plant_presets())
+      if (part == preset.name) return setup = preset.setup, "";
+  return fmt::format("'{}' is no plant{}; there are ideal and real, and NAME:VALUE, joined by +",
+                     part, did_you_mean(part, known_words()));
+}
+
+}  // namespace
+
+const std::vector<PlantNumber>& plant_numbers() {
+  static const std::vector<PlantNumber> all = [] {
+    std::vector<PlantNumber> numbers;
+    for (const auto& [name, value, unit, least, greatest, meaning] : sim3d::imperfections())
+      numbers.push_back({name, unit, least, greatest, meaning, value, nullptr});
+    for (const auto& [name, value, unit, least, greatest, meaning] : walk::imperfections())
+      numbers.push_back({name, unit, least, greatest, meaning, nullptr, value});
+    return numbers;
+  }();
+  return all;
+}
+
+std::string name_with_unit(const PlantNumber& number) {
+  return number.name + std::string(words(number.unit).in_json);
+}
+
+std::string expected(const PlantNumber& number) {
+  const UnitWords unit = words(number.unit);
+  const std::string_view dimensionless = symbol(number.unit);
+  return fmt::format("{} from {:g} to {:g}{}, {}{}", unit.kind, number.least, number.greatest,
+                     dimensionless == "1" ? "" : fmt::format(" {}", dimensionless), unit.examples,
+                     number.name == kQuantisation ? ", or a sensor's 12bit" : "");
+}
+
+const std::vector<PlantPreset>& plant_presets() {
+  static const std::vector<PlantPreset> all = {
+      {"ideal", "nothing is wrong with it; friction 0.9", PlantSetup{}},
+      {"real",
+       "12-bit angles with noise of 0.5 mrad, contacts that rattle for 4 ms, 2 ms of delay of "
+       "sensing and 4 ms of commands, friction 0.6, masses off by 10 %",
+       real_plant()}};
+  return all;
+}
+
+std::string set(PlantSetup& setup, std::string_view key, const std::string& value,
+                const std::string& spoken) {
+  std::string name(key);
+  std::ranges::replace(name, '-', '_');
+  if (name == kServo) return set_servo(setup, value, spoken);
+  for (const PlantNumber& number : plant_numbers()) {
+    if (name != number.name) continue;
+    const std::optional<double> read = value_of(number, value);
+    if (!read || !(number.least <= *read && *read <= number.greatest))
+      return fmt::format("{} is '{}'; it must be {}", spoken, value, expected(number));
+    (number.of_world != nullptr ? setup.world.*number.of_world : setup.faults.*number.of_faults) =
+        *read;
+    return "";
+  }
+  return fmt::format("a plant has no '{}'{}; hexagait list plants shows what it has", spoken,
+                     did_you_mean(name, known_words()));
+}
+
+PlantSetup parse_plant(const std::string& text) {
+  PlantSetup setup;
+  std::vector<std::string> problems;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find('+', begin), text.size());
+    const std::string problem = take(setup, text.substr(begin, end - begin), begin == 0);
+    if (!problem.empty()) problems.push_back(problem);
+    begin = end + 1;
+  }
+  if (!problems.empty()) throw InvalidInput(fmt::format("{}", fmt::join(problems, "\n")));
+  setup.name = text;
+  return setup;
+}
+
+}  // namespace hexagait::recording
