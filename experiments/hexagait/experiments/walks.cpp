@@ -188,9 +188,8 @@ Outcome walks(const ExperimentContext& context, figures::StagedFiles& files) {
   for (auto& group : groups)
     for (Walk& walk : group) {
       walk.summary = recording::simulate(*context.robot, walk.simulation, {}, context.stop);
-      if (context.stop != nullptr && context.stop->load()) return {};
-      if (context.progress)
-        context.progress(static_cast<double>(++done) / static_cast<double>(count));
+      if (context.stopped()) return {};
+      context.tell(++done, count);
     }
   std::ofstream table = files.create("walks.csv");
   write_table(table, groups);
