@@ -171,7 +171,7 @@ TEST_F(Cli, DrawsAFigureAndKeepsWhatItIsMadeOf) {
   EXPECT_THAT(content(here() / "it's.svg"), HasSubstr("Path from above"));
 }
 
-// The figure's table of the body would be the trace.
+// The trace would have the name of one of the figure's tables.
 TEST_F(Cli, RefusesOutputsThatWouldOverwriteEachOther) {
   refuses("walk --seconds 2 --plot w.png --trace w-body.csv", {"--plot", "--trace", "w-body.csv"});
   refuses("walk --seconds 2 --plot w-movie.png --movie w.gif", {"--plot", "--movie", "w-movie.gp"});
@@ -188,7 +188,7 @@ TEST_F(Cli, NamesEveryFileThatItWrites) {
   EXPECT_THAT(run("walk --robot genghis2d --seconds 2 --plot w.svg").out, HasSubstr("w-body.csv"));
 }
 
-// As a GIF begins, and a frame each 80 ms.
+// It begins as a GIF does, and has a frame every 80 ms.
 TEST_F(Cli, MakesAMovingPicture) {
   EXPECT_EQ(run("walk --robot genghis2d --seconds 2 --movie w.gif").status, 0);
   const std::string gif = content(here() / "w.gif");

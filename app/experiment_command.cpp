@@ -34,12 +34,12 @@ std::vector<Experiment> chosen(const std::string& name) {
 }
 
 void print(const Manifest& manifest, const std::filesystem::path& out) {
-  fmt::print("{}\n", manifest.title);
+  print_out(fmt::format("{}\n", manifest.title));
   for (const experiments::Verdict& verdict : manifest.outcome.verdicts) {
-    fmt::print("  {}: {}\n", verdict.word(), verdict.claim);
-    for (const std::string& line : verdict.lines()) fmt::print("      {}\n", line);
+    print_out(fmt::format("  {}: {}\n", verdict.word(), verdict.claim));
+    for (const std::string& line : verdict.lines()) print_out(fmt::format("      {}\n", line));
   }
-  fmt::print("  written to {}\n\n", (out / manifest.experiment).string());
+  print_out(fmt::format("  written to {}\n\n", (out / manifest.experiment).string()));
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ int experiment_command(const ExperimentArguments& arguments) {
 
   bool well = true;
   for (const Manifest& manifest : manifests) well = well && manifest.is_accounted_for();
-  if (arguments.json) fmt::print("{}\n", to_json(manifests));
+  if (arguments.json) print_out(fmt::format("{}\n", to_json(manifests)));
   return well ? kOk : kFailed;
 }
 

@@ -163,44 +163,59 @@ void add_verify(CLI::App& app, VerifyArguments& a) {
       "Exit status: 0 all theorems hold; 1 one does not; 2 bad usage.");
 }
 
-int run(int argc, char** argv) {
-  CLI::App app("Reactive free-gait walking for legged robots", "hexagait");
+// What was typed after each command.
+struct Arguments {
+  WalkArguments walk;
+  ActionArguments run, check;
+  ExperimentArguments experiment;
+  ResultsArguments results;
+  SweepArguments sweep;
+  MergeArguments merge;
+  ReportArguments report;
+  RobotArguments robot;
+  VerifyArguments verify;
+  ListArguments list;
+};
+
+void add_commands(CLI::App& app, Arguments& a) {
   app.set_version_flag("--version", std::string("hexagait ") + recording::kVersion + " (" +
                                         recording::kRevision + ")");
   app.require_subcommand(1);
   app.footer("Each command has its own --help.");
-
-  WalkArguments walk;
-  add_walk(app, walk);
-
-  ActionArguments run, check;
-  add_run(app, run);
-  add_check(app, check);
-
-  ExperimentArguments experiment;
-  add_experiment(app, experiment);
-
-  ResultsArguments results;
-  add_results(app, results);
-
-  SweepArguments sweep;
-  MergeArguments merge;
-  ReportArguments report;
-  add_sweep(app, sweep);
-  add_merge(app, merge);
-  add_report(app, report);
-
-  RobotArguments robot;
-  VerifyArguments verify;
-  add_robot(app, robot);
-  add_verify(app, verify);
-
-  ListArguments list;
-  add_list(app, list);
-  CLI::App* terrains_app = app.add_subcommand("terrains", "The same as hexagait list terrains");
-  terrains_app->footer("\nExample:\n  hexagait terrains");
-
+  add_walk(app, a.walk);
+  add_run(app, a.run);
+  add_check(app, a.check);
+  add_experiment(app, a.experiment);
+  add_results(app, a.results);
+  add_sweep(app, a.sweep);
+  add_merge(app, a.merge);
+  add_report(app, a.report);
+  add_robot(app, a.robot);
+  add_verify(app, a.verify);
+  add_list(app, a.list);
+  CLI::App* terrains = app.add_subcommand("terrains", "The same as hexagait list terrains");
+  terrains->footer("\nExample:\n  hexagait terrains");
   refuse_empty_values(app);
+}
+
+int run_command_of(const CLI::App& app, const Arguments& a) {
+  if (app.got_subcommand("walk")) return walk_command(a.walk);
+  if (app.got_subcommand("run")) return run_command(a.run);
+  if (app.got_subcommand("check")) return check_command(a.check);
+  if (app.got_subcommand("experiment")) return experiment_command(a.experiment);
+  if (app.got_subcommand("results")) return results_command(a.results);
+  if (app.got_subcommand("verify")) return verify_command(a.verify.json, a.verify.quiet);
+  if (app.got_subcommand("sweep")) return sweep_command(a.sweep);
+  if (app.got_subcommand("merge")) return merge_command(a.merge);
+  if (app.got_subcommand("report")) return report_command(a.report);
+  if (app.got_subcommand("robot")) return robot_command(a.robot.robot, a.robot.json);
+  return list_command(app.got_subcommand("list") ? a.list.what : "terrains", a.list.json);
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Reactive free-gait walking for legged robots", "hexagait");
+  Arguments arguments;
+  add_commands(app, arguments);
   const std::span<const char* const> words(argv + 1, argv + std::max(argc, 1));
   check_words(app, words);
   try {
@@ -213,17 +228,7 @@ int run(int argc, char** argv) {
     fmt::print(stderr, "hexagait: {}; see hexagait{} --help\n", error.what(), command);
     return kBadInput;
   }
-  if (app.got_subcommand("walk")) return walk_command(walk);
-  if (app.got_subcommand("run")) return run_command(run);
-  if (app.got_subcommand("check")) return check_command(check);
-  if (app.got_subcommand("experiment")) return experiment_command(experiment);
-  if (app.got_subcommand("results")) return results_command(results);
-  if (app.got_subcommand("verify")) return verify_command(verify.json, verify.quiet);
-  if (app.got_subcommand("sweep")) return sweep_command(sweep);
-  if (app.got_subcommand("merge")) return merge_command(merge);
-  if (app.got_subcommand("report")) return report_command(report);
-  if (app.got_subcommand("robot")) return robot_command(robot.robot, robot.json);
-  return list_command(app.got_subcommand("list") ? list.what : "terrains", list.json);
+  return run_command_of(app, arguments);
 }
 
 // Says what went wrong. What can't be written is no result, and no failed walk either.

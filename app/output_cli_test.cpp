@@ -40,13 +40,16 @@ TEST_F(Cli, ListsAsJson) {
 TEST_F(Cli, ThatCannotWriteItsResultToStdoutSaysSoAndFails) {
   for (const char* arguments :
        {"robot argos", "list robots", "terrains", "walk --seconds 0.1", "check nod",
-        "run height --quiet", "walk --robot genghis2d --seconds 0.1", "experiment --list"})
+        "run height --quiet", "walk --robot genghis2d --seconds 0.1", "experiment --list",
+        "experiment fig6 --quiet --out e --json"})
     for (const std::string target : {" >/dev/full", " >&-"}) {
       const Result result = run(arguments + target);
       EXPECT_EQ(result.status, 2) << arguments << target;
       EXPECT_THAT(result.err, HasSubstr("can't write to standard output")) << arguments << target;
     }
-  EXPECT_THAT(run("robot argos >/dev/full").err, HasSubstr("No space left on device"));
+  for (const char* arguments : {"robot argos", "verify --quiet"})
+    EXPECT_THAT(run(std::string(arguments) + " >/dev/full").err,
+                HasSubstr("No space left on device"));
 }
 
 // With stdout closed the first file that is opened must not become it.
@@ -100,6 +103,9 @@ TEST_F(Cli, ThatDoesNotArriveSaysSoAndFails) {
   EXPECT_EQ(nlohmann::json::parse(run("walk --distance 5 --seconds 1 --json").out)["arrived"],
             false);
   EXPECT_EQ(run("walk --distance 10cm --seconds 10s").status, 0);
+  const Result genghis = run("walk --robot genghis2d --distance 5 --seconds 1");
+  EXPECT_EQ(genghis.status, 1);
+  EXPECT_THAT(genghis.out, HasSubstr("Did not arrive at 5 m"));
 }
 
 // A microgram per link and legs that reach 0.54 m: lighter than air, as lengths in millimetres are.

@@ -24,6 +24,7 @@
 
 #include "commands.hpp"
 #include "interrupt.hpp"
+#include "output.hpp"
 #include "progress.hpp"
 
 namespace hexagait::app {
@@ -244,8 +245,9 @@ int results_command(const ResultsArguments& arguments) {
   write_page(page, groups, arguments.short_form);
   page.close();
   files.publish();
-  fmt::print("{}: {}\n", out.string(),
-             well ? "each claim holds, or fails as it was declared to" : "a claim FAILS");
+  print_out(
+      fmt::format("{}: {}\n", out.string(),
+                  well ? "each claim holds, or fails as it was declared to" : "a claim FAILS"));
   return well ? kOk : kFailed;
 }
 

@@ -104,7 +104,7 @@ TEST_F(SweepCli, LosesAndRepeatsNoTrialWhenItIsInterrupted) {
   EXPECT_EQ(content(at("a/trials.csv")), content(at("b/trials.csv")));
 }
 
-// 2 · 10¹² trials: who did not mean it is told before a day is lost, and keeps what is done.
+// 10¹² trials: a user who did not mean it is warned before a day is lost, and keeps what is done.
 TEST_F(SweepCli, AsksBeforeASweepOfYears) {
   write("endless.yaml", std::string(kSweep) + "seeds: 500000000000\n");
   const Result result = run("sweep endless.yaml --out a --quiet --jobs 2");
@@ -164,6 +164,18 @@ TEST_F(SweepCli, ReportsWithATableAndAFigure) {
   EXPECT_EQ(json["measure"], "steps");
   EXPECT_EQ(json["lines"][1]["difference"]["count"], 20);
   EXPECT_EQ(run("report a --compare gaits").status, 2);
+}
+
+TEST_F(SweepCli, SaysSoWhenItCannotWriteToStdout) {
+  EXPECT_EQ(run("sweep sweep.yaml --out a").status, 0);
+  for (const char* arguments :
+       {"sweep sweep.yaml --out a", "sweep sweep.yaml --out a --json", "report a",
+        "merge a --out b", "sweep sweep.yaml --emit mpi --shards 2 --out c"}) {
+    const Result result = run(std::string(arguments) + " >/dev/full");
+    EXPECT_EQ(result.status, 2) << arguments;
+    EXPECT_THAT(result.err, HasSubstr("can't write to standard output: No space left on device"))
+        << arguments;
+  }
 }
 
 TEST_F(SweepCli, ReportsSeveralMeasuresEachInItsOwnFiles) {

@@ -17,6 +17,7 @@
 #include "arguments.hpp"
 #include "commands.hpp"
 #include "interrupt.hpp"
+#include "output.hpp"
 #include "progress.hpp"
 
 namespace hexagait::app {
@@ -93,8 +94,8 @@ int emit(const SweepArguments& arguments) {
                        .jobs = jobs(arguments.jobs, 1),
                        .trial_timeout = trial_timeout(arguments.trial_timeout)},
                       arguments.out);
-  fmt::print("Job files are written; {} starts them, and the result will be in {}.\n", start,
-             (fs::path(arguments.out) / "merged").string());
+  print_out(fmt::format("Job files are written; {} starts them, and the result will be in {}.\n",
+                        start, (fs::path(arguments.out) / "merged").string()));
   return kOk;
 }
 
@@ -130,8 +131,8 @@ std::string as_json(const RunOutcome& outcome, const std::optional<Published>& p
 }
 
 void tell(const Published& published, const fs::path& directory) {
-  fmt::print("{} trials: {}, hash {:016x}\n", published.trials, (directory / "trials.csv").string(),
-             published.rows_hash);
+  print_out(fmt::format("{} trials: {}, hash {:016x}\n", published.trials,
+                        (directory / "trials.csv").string(), published.rows_hash));
 }
 
 // Whether a sweep goes on for so long that its user may not have meant it: known from its first
@@ -208,7 +209,7 @@ int sweep_command(const SweepArguments& arguments) {
   std::optional<Published> published;
   if (outcome.complete()) published = sweep::publish(arguments.out);
   if (arguments.json)
-    fmt::print("{}", as_json(outcome, published));
+    print_out(as_json(outcome, published));
   else if (published)
     tell(*published, arguments.out);
   if (published) {
@@ -234,16 +235,16 @@ int report_command(const ReportArguments& arguments) {
     texts.reserve(reports.size());
     for (const sweep::Report& report : reports) texts.push_back(to_json(report));
     const std::string all = fmt::format("{}", fmt::join(texts, ",\n"));
-    fmt::print("{}\n", texts.size() == 1 ? all : "[" + all + "]");
+    print_out(fmt::format("{}\n", texts.size() == 1 ? all : "[" + all + "]"));
     return kOk;
   }
-  for (const sweep::Report& report : reports) fmt::print("{}", in_words(report));
-  std::fflush(stdout);  // a table is worth having where there is no gnuplot
+  // The table first: it is worth having where there is no gnuplot.
+  for (const sweep::Report& report : reports) print_out(in_words(report));
   for (const sweep::Report& report : reports) {
     const std::string title = arguments.title.empty() ? usual_headline(report) : arguments.title;
     draw(report, title == "none" ? "" : title);
-    fmt::print("Drawn: {}\n",
-               (fs::path(arguments.directory) / (report_stem(report) + ".svg")).string());
+    print_out(fmt::format(
+        "Drawn: {}\n", (fs::path(arguments.directory) / (report_stem(report) + ".svg")).string()));
   }
   return kOk;
 }
@@ -252,8 +253,9 @@ int merge_command(const MergeArguments& arguments) {
   const Published published =
       sweep::merge({arguments.parts.begin(), arguments.parts.end()}, arguments.out);
   if (arguments.json)
-    fmt::print("{{\"trials\": {}, \"without_result\": {}, \"rows_hash\": \"{:016x}\"}}\n",
-               published.trials, published.without_result, published.rows_hash);
+    print_out(
+        fmt::format("{{\"trials\": {}, \"without_result\": {}, \"rows_hash\": \"{:016x}\"}}\n",
+                    published.trials, published.without_result, published.rows_hash));
   else
     tell(published, arguments.out);
   tell_without_result(published.without_result, arguments.out);

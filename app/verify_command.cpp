@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "output.hpp"
 #include "progress.hpp"
 
 namespace hexagait::app {
@@ -51,7 +52,7 @@ void print(const CaseTable& table) {
       for (const auto& other : lines) columns = std::max(columns, width(other[k]));
       text += fmt::format("  {}", aligned(line[k], columns));
     }
-    fmt::print("{}\n", text);
+    print_out(fmt::format("{}\n", text));
   }
 }
 
@@ -61,24 +62,26 @@ void print_paragraph(const std::string& text) {
     const std::size_t end = std::min(text.find(' ', at), text.size());
     const std::string word = text.substr(at, end - at);
     if (width(line) + 1 + width(word) > kWidth) {
-      fmt::print("{}\n", line);
+      print_out(fmt::format("{}\n", line));
       line.assign(1, ' ');
     }
     line.append(" ").append(word);
     at = end + 1;
   }
-  fmt::print("{}\n", line);
+  print_out(fmt::format("{}\n", line));
 }
 
 void print(const Theorem& theorem) {
   std::string name = theorem.name;
   std::ranges::replace(name, '_', ' ');
-  fmt::print("{}: {}, {} cases\n", name, theorem.holds() ? "holds" : "FAILS", theorem.cases);
+  print_out(
+      fmt::format("{}: {}, {} cases\n", name, theorem.holds() ? "holds" : "FAILS", theorem.cases));
   print_paragraph(theorem.statement);
   print_paragraph(theorem.convention);
-  if (!theorem.holds()) fmt::print("  first counter-example: {}\n", theorem.counterexample);
+  if (!theorem.holds())
+    print_out(fmt::format("  first counter-example: {}\n", theorem.counterexample));
   print(theorem.table);
-  fmt::print("\n");
+  print_out(fmt::format("\n"));
 }
 
 std::int64_t cases(const TheoremReport& report) {
@@ -111,7 +114,7 @@ void print_json(const TheoremReport& report) {
   for (const Theorem& theorem : report.theorems) theorems.push_back(json(theorem));
   const nlohmann::ordered_json object = {
       {"holds", report.holds()}, {"cases", cases(report)}, {"theorems", theorems}};
-  fmt::print("{}\n", object.dump(2));
+  print_out(fmt::format("{}\n", object.dump(2)));
 }
 
 }  // namespace
@@ -127,12 +130,12 @@ int verify_command(bool as_json, bool quiet) {
   } else {
     for (const Theorem& theorem : report.theorems) print(theorem);
     const auto holding = std::ranges::count_if(report.theorems, &Theorem::holds);
-    fmt::print(
+    print_out(fmt::format(
         "{} of {} theorems hold in {} cases. Each tries all cases within the bounds that it "
         "states\n"
         "(legs, step times, duty factors), under the assumptions that it states; lags, which are\n"
         "real numbers, are tried on a grid. What holds beyond the bounds is proved in theory.md.\n",
-        holding, report.theorems.size(), cases(report));
+        holding, report.theorems.size(), cases(report)));
   }
   return report.holds() ? kOk : kFailed;
 }

@@ -69,15 +69,15 @@ function(hexagait_register room component)
   endforeach()
 endfunction()
 
-# hexagait_scripts(ROOM NAME…): gnuplot scripts hexagait/ROOM/NAME.gp, built into the room's library.
-# Its sources include <hexagait/ROOM/NAME.gp.hpp> and have the text as scripts::ROOM::NAME; nothing
-# reads the .gp file after the build.
+# hexagait_scripts(ROOM FILE…): gnuplot scripts and other texts hexagait/ROOM/FILE, built into the room's
+# library. Its sources include <hexagait/ROOM/FILE.hpp> and have the text as scripts::ROOM::NAME, by
+# the file's name without its ending; nothing reads the file after the build.
 set(hexagait_embed_script ${CMAKE_CURRENT_LIST_DIR}/embed_script.cmake)
 function(hexagait_scripts room)
   set(generated ${CMAKE_CURRENT_BINARY_DIR}/generated)
-  foreach(name IN LISTS ARGN)
-    set(in ${CMAKE_CURRENT_SOURCE_DIR}/hexagait/${room}/${name}.gp)
-    set(out ${generated}/hexagait/${room}/${name}.gp.hpp)
+  foreach(file IN LISTS ARGN)
+    set(in ${CMAKE_CURRENT_SOURCE_DIR}/hexagait/${room}/${file})
+    set(out ${generated}/hexagait/${room}/${file}.hpp)
     add_custom_command(
       OUTPUT ${out} DEPENDS ${in} ${hexagait_embed_script} VERBATIM
       COMMAND ${CMAKE_COMMAND} -DIN=${in} -DOUT=${out} -DROOM=${room} -P ${hexagait_embed_script})

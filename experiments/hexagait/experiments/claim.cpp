@@ -134,4 +134,9 @@ Verdict judged_in_full_only(Verdict verdict, bool short_form) {
   return verdict;
 }
 
+std::vector<Verdict> judged_in_full_only(std::vector<Verdict> verdicts, bool short_form) {
+  for (Verdict& verdict : verdicts) verdict = judged_in_full_only(std::move(verdict), short_form);
+  return verdicts;
+}
+
 }  // namespace hexagait::experiments

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <concepts>
 #include <hexagait/statistics/statistics.hpp>
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hexagait::experiments {
@@ -42,6 +44,10 @@ struct Measured {
   std::string detail = {};                ///< "20 of 20", "on profile:12", …
 
   Measured(std::string name, std::string unit, double value, std::string detail = {});
+  /// A count; of a truth 0 or 1.
+  Measured(std::string name_, std::string unit_, std::integral auto count, std::string detail_ = {})
+      : Measured(std::move(name_), std::move(unit_), static_cast<double>(count),
+                 std::move(detail_)) {}
   Measured(std::string name, std::string unit, const statistics::Estimate& estimate,
            std::string detail = {});
   /// In percent; the detail is "20 of 20".
@@ -122,7 +128,9 @@ struct Verdict {
   [[nodiscard]] std::vector<std::string> lines() const;
 };
 
-/// The claim, of which a short form can judge nothing but safety.
+/// The claims, of which a short form can judge nothing but safety.
 [[nodiscard]] Verdict judged_in_full_only(Verdict verdict, bool short_form);
+[[nodiscard]] std::vector<Verdict> judged_in_full_only(std::vector<Verdict> verdicts,
+                                                       bool short_form);
 
 }  // namespace hexagait::experiments

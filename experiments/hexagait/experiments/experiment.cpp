@@ -25,7 +25,7 @@ Manifest run(const Experiment& experiment, const ExperimentContext& context, con
   manifest.provenance = outcome.walk ? recording::provenance(outcome.walk->robot, *context.robot,
                                                              outcome.walk->simulation)
                                      : outcome.provenance.value_or(recording::provenance());
-  if (context.stop != nullptr && context.stop->load()) return manifest;
+  if (context.stopped()) return manifest;
 
   // A PDF carries the date, so its bytes differ from run to run.
   for (const std::string& name : files.names())

@@ -18,6 +18,13 @@ struct ExperimentContext {
   bool short_form = false;  ///< some seconds; claims that need more are not judged, and say so
   bool titles = true;       ///< above the figures
 
+  /// Whether it is to end early.
+  [[nodiscard]] bool stopped() const { return stop != nullptr && stop->load(); }
+  /// Told that so many of some parts are done.
+  void tell(std::size_t done, std::size_t all) const {
+    if (progress) progress(static_cast<double>(done) / static_cast<double>(all));
+  }
+
   /// A figure in all formats, on a sheet of width × height [px of a PNG].
   [[nodiscard]] figures::Figure figure(const std::string& stem, int width, int height,
                                        const std::string& headline,

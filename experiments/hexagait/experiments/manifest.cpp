@@ -1,37 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <cmath>
 #include <hexagait/experiments/manifest.hpp>
-#include <hexagait/recording/detail/provenance_json.hpp>
 #include <hexagait/recording/detail/walk_json.hpp>
 
 namespace hexagait::experiments {
 namespace {
 
+using recording::finite;
 using recording::Json;
-
-// JSON has no infinity and no NaN.
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json bound_json(const Bound& bound) {
   return {{"least", finite(bound.least)}, {"most", finite(bound.most)}, {"open", bound.open}};
 }
 
 const char* to_string(Finding finding) {
-  switch (finding) {
-    case Finding::holds:
-      return "holds";
-    case Finding::fails:
-      return "fails";
-    case Finding::fails_as_expected:
-      return "fails_as_expected";
-    case Finding::holds_unexpectedly:
-      return "holds_unexpectedly";
-    case Finding::fails_otherwise:
-      break;
-  }
-  return "fails_otherwise";
+  constexpr const char* kNames[] = {"holds", "fails", "fails_as_expected", "holds_unexpectedly",
+                                    "fails_otherwise"};
+  return kNames[static_cast<std::size_t>(finding)];
 }
 
 Json check_json(const Check& check, bool safety) {

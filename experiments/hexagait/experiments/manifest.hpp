@@ -3,7 +3,7 @@
 #pragma once
 
 #include <hexagait/experiments/claim.hpp>
-#include <hexagait/figures/table.hpp>
+#include <hexagait/figures/csv.hpp>
 #include <hexagait/recording/json.hpp>
 #include <hexagait/recording/provenance.hpp>
 #include <optional>
@@ -20,7 +20,7 @@ struct Outcome {
   std::vector<std::pair<std::string, std::string>> settings = {};  ///< if it is no walk
   /// Model, physics and controller, if it is no walk but has some.
   std::optional<recording::Provenance> provenance = {};
-  figures::Table table = {};     ///< its numbers, for the page; may be empty
+  figures::Csv table = {};       ///< its numbers, for the page; may be empty
   double compute_seconds = 0.0;  ///< time that the runs took, without drawing; 0: not measured
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <hexagait/experiments/page.hpp>
+#include <hexagait/experiments/page.html.hpp>
 #include <hexagait/recording/version.hpp>
 #include <iterator>
 
@@ -13,51 +14,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kHead = R"(<!DOCTYPE html>
-<html lang="en">
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>hexagait: experiments</title>
-<style>
-  :root { --ink: #1d2b36; --grey: #6c7a86; --pale: #e3e8ec; --accent: #c4472b; --good: #2c7a57; }
-  body { margin: 0 auto; max-width: 1080px; padding: 3rem 1.5rem 5rem; color: var(--ink);
-         font: 17px/1.55 "Source Serif 4", "Iowan Old Style", Palatino, Georgia, serif; }
-  h1 { font-size: 2.1rem; font-weight: 600; margin: 0; letter-spacing: -.01em; }
-  h2 { font-size: 1.35rem; font-weight: 600; margin: 0 0 .9rem; }
-  h2 small { color: var(--grey); font-weight: 400; font-size: .95rem; margin-right: .6rem;
-             font-family: ui-monospace, "DejaVu Sans Mono", monospace; }
-  section { border-top: 1px solid var(--pale); margin-top: 3rem; padding-top: 1.6rem; }
-  a { color: #2f6f9f; text-decoration: none; } a:hover { text-decoration: underline; }
-  .lead, .files { color: var(--grey); } .files { font-size: .85rem; }
-  figure { margin: 1.4rem 0 .6rem; } figure img { width: 100%; height: auto; display: block; }
-  ul.claims { list-style: none; padding: 0; margin: 0; }
-  ul.claims li { display: grid; grid-template-columns: 8.6rem 1fr; gap: .2rem 1rem; padding: .45rem 0; }
-  .verdict { font: 600 .78rem/1.9 system-ui, sans-serif; text-transform: uppercase;
-             letter-spacing: .05em; color: var(--good); }
-  .no .verdict { color: var(--accent); } .known .verdict { color: #9a6b00; }
-  .numbers { grid-column: 2; font-size: .9rem; color: #3d4c58; font-variant-numeric: tabular-nums; }
-  table { border-collapse: collapse; font: .82rem/1.5 system-ui, sans-serif; margin: 1.2rem 0; width: 100%;
-          font-variant-numeric: tabular-nums; }
-  th { text-align: left; font-weight: 600; border-bottom: 1.5px solid var(--ink); padding: .25rem .6rem .25rem 0; }
-  td { border-bottom: 1px solid var(--pale); padding: .2rem .6rem .2rem 0; }
-  table.overview td:last-child, table.overview th:last-child { text-align: right; }
-  details summary { cursor: pointer; color: var(--grey); font-size: .9rem; }
-</style>
-)";
-
 std::string escaped(const std::string& text) {
+  constexpr std::pair<char, std::string_view> kEntities[] = {
+      {'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}};
   std::string html;
   for (const char letter : text) {
-    if (letter == '<')
-      html += "&lt;";
-    else if (letter == '>')
-      html += "&gt;";
-    else if (letter == '&')
-      html += "&amp;";
-    else if (letter == '"')
-      html += "&quot;";
-    else
-      html += letter;
+    const auto* const entity =
+        std::ranges::find(kEntities, letter, &std::pair<char, std::string_view>::first);
+    html += entity == std::end(kEntities) ? std::string_view(&letter, 1) : entity->second;
   }
   return html;
 }
@@ -100,11 +64,11 @@ std::string row_html(const std::vector<std::string>& cells, const char* tag) {
   return html + "</tr>\n";
 }
 
-std::string table_html(const figures::Table& table) {
-  if (table.rows.empty()) return {};
+std::string table_html(const figures::Csv& table) {
+  if (table.rows().empty()) return {};
   std::string html =
-      "<details><summary>Numbers</summary>\n<table>\n" + row_html(table.header, "th");
-  for (const auto& row : table.rows) html += row_html(row, "td");
+      "<details><summary>Numbers</summary>\n<table>\n" + row_html(table.header(), "th");
+  for (const auto& row : table.rows()) html += row_html(row, "td");
   return html + "</table></details>\n";
 }
 
@@ -151,15 +115,9 @@ std::string overview_html(const std::vector<Manifest>& manifests) {
 void write_page(const std::vector<Manifest>& manifests, const fs::path& out) {
   figures::StagedFiles files(out);
   std::ofstream page = files.create("index.html");
-  page << kHead << "<h1>Figures, tables and claims, made again</h1>\n"
-       << "<p class=\"lead\">Experiments of J. M. Porta and E. Celaya, <i>Reactive Free-Gait "
-          "Generation "
-          "to Follow Arbitrary Trajectories with a Hexapod Robot</i> [PC04], and of P. Fankhauser "
-          "et "
-          "al., <i>Free Gait – An Architecture for the Versatile Control of Legged Robots</i> "
-          "[FG16], with hexagait "
-       << recording::kVersion << " (" << recording::kRevision
-       << "). What does not hold is said so, with the numbers.</p>\n"
+  page << scripts::experiments::page
+       << fmt::format("{} ({}). What does not hold is said so, with the numbers.</p>\n",
+                      recording::kVersion, recording::kRevision)
        << overview_html(manifests);
   for (const Manifest& manifest : manifests) {
     const fs::path directory = out / manifest.experiment;

@@ -6,14 +6,6 @@ namespace hexagait::experiments {
 
 using walk::Summary;
 
-std::vector<SafetyCheck> no_fall(std::span<const Summary> walks) {
-  const auto share = [&](auto predicate) { return share_of(walks, predicate); };
-  return {{{"walks that fell", share([](const Summary& s) { return s.fell; })}, exactly(0.0)},
-          {{"walks that a fault ended",
-            share([](const Summary& s) { return s.fault != footstep_gen::Fault::none; })},
-           exactly(0.0)}};
-}
-
 std::vector<SafetyCheck> no_fall_and_rule_1(std::span<const Summary> walks,
                                             double most_flight_percent, double most_lifts) {
   std::vector<SafetyCheck> checks = no_fall(walks);

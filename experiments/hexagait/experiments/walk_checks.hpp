@@ -8,17 +8,6 @@
 
 namespace hexagait::experiments {
 
-/// What no walk may do, whatever else it shows: none of them falls, and no controller stops by
-/// itself with a fault.
-[[nodiscard]] std::vector<SafetyCheck> no_fall(std::span<const walk::Summary> walks);
-
-/// The same; and rule 1, by where the feet truly are. On flat ground with a constant heading it is
-/// never broken. Where feet bounce or slide off edges, a foot that the controller takes for support
-/// may be off the ground: then no walk breaks it more than so often, or for so long.
-[[nodiscard]] std::vector<SafetyCheck> no_fall_and_rule_1(std::span<const walk::Summary> walks,
-                                                          double most_flight_percent = 0.0,
-                                                          double most_lifts = 0.0);
-
 /// How many of them, as a share with its interval.
 template <class Range, class Predicate>
 [[nodiscard]] statistics::Proportion share_of(const Range& range, Predicate predicate) {
@@ -45,5 +34,27 @@ template <class Range, class Value>
 [[nodiscard]] double worst(const Range& range, Value value) {
   return statistics::greatest(each(range, value));
 }
+
+/// What no walk may do, whatever else it shows: none of them falls, and no controller stops by
+/// itself with a fault.
+/// @param summaries  of walks or of actions
+/// @param what       they are called
+template <class Range>
+[[nodiscard]] std::vector<SafetyCheck> no_fall(const Range& summaries,
+                                               const std::string& what = "walks") {
+  using Fault = std::decay_t<decltype(std::begin(summaries)->fault)>;
+  return {{{what + " that fell", share_of(summaries, [](const auto& s) { return s.fell; })},
+           exactly(0.0)},
+          {{what + " that a fault ended",
+            share_of(summaries, [](const auto& s) { return s.fault != Fault::none; })},
+           exactly(0.0)}};
+}
+
+/// The same; and rule 1, by where the feet truly are. On flat ground with a constant heading it is
+/// never broken. Where feet bounce or slide off edges, a foot that the controller takes for support
+/// may be off the ground: then no walk breaks it more than so often, or for so long.
+[[nodiscard]] std::vector<SafetyCheck> no_fall_and_rule_1(std::span<const walk::Summary> walks,
+                                                          double most_flight_percent = 0.0,
+                                                          double most_lifts = 0.0);
 
 }  // namespace hexagait::experiments

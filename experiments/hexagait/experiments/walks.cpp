@@ -127,21 +127,18 @@ bool walk_all(const ExperimentContext& context, std::span<std::vector<Walk>> gro
   std::atomic<std::size_t> next = 0;
   std::size_t done = 0;
   std::mutex progress;
-  const auto stopped = [&] { return context.stop != nullptr && context.stop->load(); };
   const auto work = [&] {
-    for (std::size_t k = next++; k < walks.size() && !stopped(); k = next++) {
+    for (std::size_t k = next++; k < walks.size() && !context.stopped(); k = next++) {
       walks[k]->summary =
           recording::simulate(*context.robot, walks[k]->simulation, {}, context.stop);
       const std::scoped_lock lock(progress);
-      ++done;
-      if (context.progress)
-        context.progress(static_cast<double>(done) / static_cast<double>(walks.size()));
+      context.tell(++done, walks.size());
     }
   };
   std::vector<std::future<void>> workers(std::max(1U, std::thread::hardware_concurrency()));
   for (std::future<void>& worker : workers) worker = std::async(std::launch::async, work);
   for (std::future<void>& worker : workers) worker.get();
-  return !stopped();
+  return !context.stopped();
 }
 
 double farthest_workspace(const RobotModel& robot) {

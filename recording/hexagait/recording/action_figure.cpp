@@ -97,9 +97,10 @@ void draw_action(figures::StagedFiles& files, figures::Figure figure,
                  const ActionRecording& recording, const RobotModel& robot) {
   figure.width = kWidth;
   figure.height = kHeight;
-  files.write(figure.stem + "-base.csv", base_table(recording).text());
-  files.write(figure.stem + "-feet.csv", feet_table(recording, robot).text());
-  files.write(figure.stem + "-steps.csv", steps_table(recording).text());
+  figures::write_tables(files, figure.stem,
+                        {{"base", base_table(recording)},
+                         {"feet", feet_table(recording, robot)},
+                         {"steps", steps_table(recording)}});
 
   // Names of the legs where their feet are at the beginning.
   std::vector<std::string> names;

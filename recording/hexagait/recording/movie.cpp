@@ -9,7 +9,6 @@
 #include <hexagait/recording/movie.gp.hpp>
 #include <hexagait/recording/movie.hpp>
 #include <hexagait/recording/robot_view.hpp>
-#include <sstream>
 
 namespace hexagait::recording {
 namespace {
@@ -56,8 +55,24 @@ Camera camera(const Recording& recording, const RobotView& view,
   return camera;
 }
 
-std::string table(const std::string& stem, const char* name) {
-  return fmt::format("{}-movie-{}.csv", stem, name);
+// Samples of the end of the walk, which is shown, and those of them that make a picture each.
+struct Reel {
+  std::vector<std::size_t> samples, frames;
+};
+
+Reel reel(const Recording& recording, const MovieOptions& options) {
+  const auto per_frame = static_cast<std::size_t>(options.samples_per_frame);
+  const auto most = static_cast<std::size_t>(
+      std::lround(options.seconds / (Recording::kSampling * options.samples_per_frame)));
+  const std::size_t count =
+      std::min(most, (recording.samples().size() + per_frame - 1) / per_frame);
+  const std::size_t first = recording.samples().size() - (count - 1) * per_frame - 1;
+  Reel reel;
+  for (std::size_t k = first; k < recording.samples().size(); ++k) {
+    reel.samples.push_back(k);
+    if ((k - first) % per_frame == 0) reel.frames.push_back(k);
+  }
+  return reel;
 }
 
 }  // namespace
@@ -66,44 +81,31 @@ std::vector<std::string> movie_files(const std::string& stem) {
   std::vector<std::string> names = {stem + "-movie.gp"};
   for (const char* name :
        {"side", "above", "legs", "support", "feet", "steps", "profile", "cells", "body"})
-    names.push_back(table(stem, name));
+    names.push_back(fmt::format("{}-movie-{}.csv", stem, name));
   return names;
 }
 
 void draw_movie(figures::StagedFiles& files, const std::string& stem, const Recording& recording,
                 const RobotModel& robot, const MovieOptions& options) {
   const RobotView view(recording, robot);
-  const auto per_frame = static_cast<std::size_t>(options.samples_per_frame);
-  const auto most = static_cast<std::size_t>(
-      std::lround(options.seconds / (Recording::kSampling * options.samples_per_frame)));
-  const std::size_t count =
-      std::min(most, (recording.samples().size() + per_frame - 1) / per_frame);
-  const std::size_t first = recording.samples().size() - (count - 1) * per_frame - 1;
-  std::vector<std::size_t> frames, samples;
-  for (std::size_t k = first; k < recording.samples().size(); ++k) {
-    samples.push_back(k);
-    if ((k - first) % per_frame == 0) frames.push_back(k);
-  }
-
+  const auto [samples, frames] = reel(recording, options);
+  const std::size_t first = samples.front();
   const Camera seen = camera(recording, view, frames);
   const double side = std::round(seen.scale * seen.side.size().y());
   const double above = std::round(seen.scale * seen.above.size().y());
   const double height = kTop + side + kBetween + above + kBottom;
   const double left = kAside / kWidth, right = 1.0 - left;
 
-  std::ostringstream steps, body;
-  recording.write_steps(steps, robot);
-  recording.write_body(body);
-  const std::pair<const char*, std::string> tables[] = {{"side", view.side(frames).text()},
-                                                        {"above", view.above(frames).text()},
-                                                        {"legs", view.legs(frames).text()},
-                                                        {"support", view.support(frames).text()},
-                                                        {"feet", view.feet(samples).text()},
-                                                        {"steps", steps.str()},
-                                                        {"profile", view.profile().text()},
-                                                        {"cells", view.cells(seen.above).text()},
-                                                        {"body", body.str()}};
-  for (const auto& [name, text] : tables) files.write(table(stem, name), text);
+  figures::write_tables(files, stem + "-movie",
+                        {{"side", view.side(frames)},
+                         {"above", view.above(frames)},
+                         {"legs", view.legs(frames)},
+                         {"support", view.support(frames)},
+                         {"feet", view.feet(samples)},
+                         {"steps", recording.steps_table(robot)},
+                         {"profile", view.profile()},
+                         {"cells", view.cells(seen.above)},
+                         {"body", recording.body_table()}});
 
   const figures::Variables variables = {
       {"stem", stem + "-movie"},
@@ -111,7 +113,7 @@ void draw_movie(figures::StagedFiles& files, const std::string& stem, const Reco
       {"height", height},
       {"delay", 100.0 * Recording::kSampling * options.samples_per_frame},
       {"frames", static_cast<double>(frames.size())},
-      {"per_frame", static_cast<double>(per_frame)},
+      {"per_frame", static_cast<double>(options.samples_per_frame)},
       {"start", recording.samples()[first].time},
       {"first", static_cast<double>(first)},
       {"outlines", static_cast<double>(view.num_outlines())},

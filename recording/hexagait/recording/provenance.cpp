@@ -3,7 +3,7 @@
 #include <gnu/libc-version.h>
 
 #include <bit>
-#include <hexagait/recording/detail/provenance_json.hpp>
+#include <hexagait/recording/detail/walk_json.hpp>
 #include <hexagait/recording/provenance.hpp>
 #include <hexagait/recording/version.hpp>
 #include <hexagait/sim/fnv1a.hpp>
@@ -180,42 +180,28 @@ class ModelHash {
     for (Eigen::Index k = 0; k < values.size(); ++k)
       add(values(k % values.rows(), k / values.rows()));
   }
-  void add(const Pose& pose) {
-    add(pose.p);
-    add(pose.R);
+  template <class Value>
+  void add(const std::vector<Value>& values) {
+    for (const Value& value : values) add(value);
   }
-  void add(const Shape& shape) {
-    add(static_cast<double>(shape.kind));
-    add(shape.size);
-    add(shape.X_LS);
-  }
+  void add(const Pose& pose) { add_all(pose.p, pose.R); }
+  void add(const Shape& shape) { add_all(static_cast<double>(shape.kind), shape.size, shape.X_LS); }
   void add(const LinkModel& link) {
-    add(link.name);
-    add(link.mass);
-    add(link.p_LM);
-    add(link.inertia_M_L);
-    for (const Shape& shape : link.shapes) add(shape);
-    add(link.X_BL0);
+    add_all(link.name, link.mass, link.p_LM, link.inertia_M_L, link.shapes, link.X_BL0);
   }
   void add(const LegModel& leg) {
-    add(leg.name);
-    add(static_cast<double>(leg.kind));
-    add(leg.X_BH);
-    for (const double length : {leg.coxa, leg.femur, leg.tibia}) add(length);
-    add(leg.joint_sign);
-    add(leg.joint_offset);
+    add_all(leg.name, static_cast<double>(leg.kind), leg.X_BH, leg.coxa, leg.femur, leg.tibia,
+            leg.joint_sign, leg.joint_offset);
     for (int k = 0; k < leg.num_joints(); ++k) {
-      add(leg.joint_names[k]);
       const auto& [lower, upper, velocity, effort] = leg.limits[k];
-      for (const double limit : {lower, upper, velocity, effort}) add(limit);
-      add(leg.links[k]);
-      add(leg.p_BJ0[k]);
-      add(leg.axis_B0[k]);
+      add_all(leg.joint_names[k], lower, upper, velocity, effort, leg.links[k], leg.p_BJ0[k],
+              leg.axis_B0[k]);
     }
-    add(leg.p_BF0);
-    add(leg.p_BC);
-    add(leg.q_nominal);
-    for (const double reach : {leg.workspace_radius, leg.min_reach, leg.max_reach}) add(reach);
+    add_all(leg.p_BF0, leg.p_BC, leg.q_nominal, leg.workspace_radius, leg.min_reach, leg.max_reach);
+  }
+  template <class... Values>
+  void add_all(const Values&... values) {
+    (add(values), ...);
   }
 
   [[nodiscard]] std::uint64_t value() const { return hash_; }
@@ -228,9 +214,8 @@ std::uint64_t model_hash(const sim2d::GenghisModel& model) {
   const auto& [length, height, belly, bevel, foot, leg, max_lift, max_swing, body_mass, leg_mass,
                hip_x, splay, stance, workspace, hip_y, foot_y] = model;
   ModelHash hash;
-  for (const double value : {length, height, belly, bevel, foot, leg, max_lift, max_swing,
-                             body_mass, leg_mass, splay, stance, workspace, hip_y, foot_y})
-    hash.add(value);
+  hash.add_all(length, height, belly, bevel, foot, leg, max_lift, max_swing, body_mass, leg_mass,
+               splay, stance, workspace, hip_y, foot_y);
   for (const double x : hip_x) hash.add(x);
   return hash.value();
 }
@@ -297,7 +282,5 @@ Json json(const Provenance& provenance) {
   if (!provenance.controller.empty()) json["controller"] = object(provenance.controller);
   return json;
 }
-
-std::string to_json(const Provenance& provenance) { return json(provenance).dump(2); }
 
 }  // namespace hexagait::recording

@@ -43,7 +43,4 @@ struct Provenance {
 /// URDF looks like.
 [[nodiscard]] std::uint64_t model_hash(const RobotModel& robot);
 
-/// As one JSON object, indented.
-[[nodiscard]] std::string to_json(const Provenance& provenance);
-
 }  // namespace hexagait::recording

@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <hexagait/recording/provenance.hpp>
+#include <hexagait/recording/detail/walk_json.hpp>
 #include <hexagait/urdf/urdf.hpp>
-#include <nlohmann/json.hpp>
 
 namespace hexagait::recording {
 namespace {
 
 RobotModel argos() { return load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf"); }
 
-// What a URDF says twice in two ways is one model; each of its numbers makes another.
+// Two spellings of the same URDF are one model; a change of any number makes another.
 TEST(ModelHash, ChangesWithEveryNumberOfTheModelAndWithNothingElse) {
   const std::uint64_t hash = model_hash(argos());
   EXPECT_EQ(model_hash(argos()), hash);
@@ -30,7 +29,7 @@ TEST(ModelHash, ChangesWithEveryNumberOfTheModelAndWithNothingElse) {
 TEST(Provenance, NamesRobotPhysicsControllerAndLibraries) {
   Simulation simulation;
   simulation.physics_dt = 0.001;
-  const auto json = nlohmann::json::parse(to_json(provenance("argos", argos(), simulation)));
+  const Json json = hexagait::recording::json(provenance("argos", argos(), simulation));
   EXPECT_EQ(json["robots"][0]["name"], "argos");
   EXPECT_EQ(json["robots"][0]["model"].get<std::string>().size(), 16U);
   EXPECT_EQ(json["physics"]["physics_dt_s"], 0.001);
@@ -45,7 +44,7 @@ TEST(Provenance, NamesRobotPhysicsControllerAndLibraries) {
 TEST(Provenance, OfGenghisHasItsOwnPhysicsAndController) {
   sim2d::GenghisTrial trial;
   trial.controller.clearance = 0.02;
-  const auto json = nlohmann::json::parse(to_json(provenance(trial)));
+  const Json json = hexagait::recording::json(provenance(trial));
   EXPECT_EQ(json["robots"][0]["name"], "genghis2d");
   EXPECT_EQ(json["physics"]["foot_friction"], sim2d::GenghisWorldParams{}.foot_friction);
   EXPECT_EQ(json["controller"]["clearance_m"], 0.02);

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <hexagait/figures/csv.hpp>
 #include <hexagait/recording/recording.hpp>
-#include <ostream>
 
 namespace hexagait::recording {
 namespace {
@@ -65,17 +63,17 @@ void Recording::watch_gait(double time, const gait_state::GaitDecision& gait) {
     gait_.back().to = time;
 }
 
-void Recording::write_body(std::ostream& out) const {
+figures::Csv Recording::body_table() const {
   figures::Csv csv(
       "time_s,x_m,y_m,z_m,roll_deg,pitch_deg,yaw_deg,ideal_x_m,ideal_y_m,ideal_yaw_deg,along_m,"
       "lateral_error_m,ground_m");
   for (const Sample& s : samples_)
     csv.row(s.time, s.X_WB.p, Vector3(kDegrees * roll_pitch_yaw(s.X_WB.R)), s.ideal.shift,
             kDegrees * s.ideal.angle, s.along, s.lateral, s.ground);
-  out << csv.text();
+  return csv;
 }
 
-void Recording::write_steps(std::ostream& out, const RobotModel& robot) const {
+figures::Csv Recording::steps_table(const RobotModel& robot) const {
   figures::Csv csv("leg,name,row,lift_s,land_s,x_m,y_m,z_m,along_m");
   const double end = samples_.empty() ? 0.0 : samples_.back().time;
   for (const Step& s : steps_) {
@@ -84,16 +82,16 @@ void Recording::write_steps(std::ostream& out, const RobotModel& robot) const {
     csv.row(s.leg, robot.legs[s.leg].name, gait_row(s.leg, robot.num_legs()), s.lift,
             landed ? s.land : end, landed ? s.p_WF : none, landed ? s.along : s.land);
   }
-  out << csv.text();
+  return csv;
 }
 
-void Recording::write_gait(std::ostream& out) const {
+figures::Csv Recording::gait_table() const {
   figures::Csv csv("from_s,to_s,ccn_before_adjustment,type,type_index");
   for (const GaitSpan& s : gait_) {
     const auto index = static_cast<std::size_t>(s.type);
     csv.row(s.from, s.to, s.ccn, "-ABCD"[index], index);
   }
-  out << csv.text();
+  return csv;
 }
 
 double ahead(const Recording::Sample& sample, const Vector3& p_W) {

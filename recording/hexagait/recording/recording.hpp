@@ -3,10 +3,10 @@
 #pragma once
 
 #include <functional>
+#include <hexagait/figures/csv.hpp>
 #include <hexagait/sim2d/terrain2d.hpp>
 #include <hexagait/sim3d/terrain.hpp>
 #include <hexagait/walk/referee.hpp>
-#include <iosfwd>
 #include <limits>
 #include <vector>
 
@@ -65,10 +65,10 @@ class Recording {
   [[nodiscard]] double cell() const { return cell_; }        ///< in which the ground is drawn [m]
   [[nodiscard]] double highest() const { return highest_; }  ///< ground: 0 … this [m]
 
-  /// The tables as comma-separated values, with units in the header.
-  void write_body(std::ostream& out) const;
-  void write_steps(std::ostream& out, const RobotModel& robot) const;
-  void write_gait(std::ostream& out) const;
+  /// As tables, with units in the header.
+  [[nodiscard]] figures::Csv body_table() const;
+  [[nodiscard]] figures::Csv steps_table(const RobotModel& robot) const;
+  [[nodiscard]] figures::Csv gait_table() const;
 
  private:
   void watch_steps(double time, const footstep_gen::TickRecord& record, const GroundTruth& truth);

@@ -97,7 +97,7 @@ TEST(RobotView, ShowsTheGroundUnderTheFeet) {
   EXPECT_EQ(recording.highest(), 0.1);
 }
 
-// What a figure and a film of the same name write beside themselves are different files.
+// A figure and a film of the same name write different files beside themselves.
 TEST(SideFiles, OfAFigureAndOfAMovieNeverMeet) {
   std::set<std::string> names;
   for (const std::string& name : walk_figure_files("w")) EXPECT_TRUE(names.insert(name).second);

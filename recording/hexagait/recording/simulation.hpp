@@ -33,7 +33,7 @@ struct Simulation {
 /// Walks it.
 /// @param observer  called after every tick
 /// @param stop      once true, the walker makes an emergency stop and the walk ends
-/// @throws InvalidInput  if no world can be made from these parameters
+/// @throws InvalidInput  if no world can be made from these parameters, or the schedule is empty
 [[nodiscard]] walk::Summary simulate(const RobotModel& robot, const Simulation& simulation,
                                      const walk::Observer& observer = {},
                                      const std::atomic<bool>* stop = nullptr);

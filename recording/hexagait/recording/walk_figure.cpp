@@ -7,7 +7,6 @@
 #include <hexagait/recording/robot_view.hpp>
 #include <hexagait/recording/walk.gp.hpp>
 #include <hexagait/recording/walk_figure.hpp>
-#include <sstream>
 
 namespace hexagait::recording {
 namespace {
@@ -111,19 +110,13 @@ void draw_walk(figures::StagedFiles& files, figures::Figure figure, const Record
   const double top = 1.0 - static_cast<double>(kTitles) / figure.height;
 
   const auto shown = instants(recording, side.shown, 1.1 * view.body_length());
-  const auto table = [&](const char* name, const std::string& text) {
-    files.write(figure.stem + "-" + name + ".csv", text);
-  };
-  std::ostringstream body, steps, gait;
-  recording.write_body(body);
-  recording.write_steps(steps, robot);
-  recording.write_gait(gait);
-  table("body", body.str());
-  table("steps", steps.str());
-  table("gait", gait.str());
-  table("outlines", view.side(shown).text());
-  table("legs", view.legs(shown).text());
-  table("ground", view.profile().text());
+  figures::write_tables(files, figure.stem,
+                        {{"body", recording.body_table()},
+                         {"steps", recording.steps_table(robot)},
+                         {"gait", recording.gait_table()},
+                         {"outlines", view.side(shown)},
+                         {"legs", view.legs(shown)},
+                         {"ground", view.profile()}});
   draw_figure(files, figure,
               {{"side", Panel{kLeft, kRight, top - side.height / figure.height, top}},
                {"side", side.shown},

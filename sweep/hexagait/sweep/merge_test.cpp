@@ -118,8 +118,8 @@ TEST_F(Merging, NeedsNoMoreDescriptorsThanAFewHoweverManyTheParts) {
   EXPECT_EQ(whole, run(sweep, "one"));
 }
 
-// The end of the journal is cut in a line: that trial is missing. A line within it that was changed
-// is told by its number.
+// A journal that was cut within its last line lacks that trial. A line that was changed is reported
+// by its number.
 TEST_F(Merging, RefusesAJournalThatIsCutOrChanged) {
   const Sweep sweep = slices(4);
   run(sweep, "a");
@@ -255,7 +255,7 @@ TEST_F(Reporting, CountsFallsApartUnlessAllTrialsAreAskedFor) {
   EXPECT_DOUBLE_EQ(report({.all_trials = true}).lines[0].value->value, 13.5);
 }
 
-// 20 falls in no trial of 20 are a proportion of at most 16 %, not of 0 ± 0.
+// No fall in 20 trials is a proportion of at most 16 %, not 0 ± 0.
 TEST_F(Reporting, GivesProportionsAnIntervalThatIsNeverEmpty) {
   Sweep sweep;
   sweep.engine = Engine::box2d;

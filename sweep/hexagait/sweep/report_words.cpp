@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <hexagait/recording/detail/walk_json.hpp>
 #include <hexagait/sweep/report.hpp>
-#include <nlohmann/json.hpp>
 
 namespace hexagait::sweep {
 namespace {
 
 using nlohmann::ordered_json;
+using recording::finite;
 
 // "20 trials", or how many of them have a value.
 std::string trials(const ReportLine& line) {
@@ -48,10 +49,6 @@ std::string accidents(const ReportLine& line) {
   return text;
 }
 
-ordered_json finite(double number) {
-  return std::isfinite(number) ? ordered_json(number) : ordered_json(nullptr);
-}
-
 ordered_json json(const std::optional<Measured>& m) {
   if (!m) return nullptr;
   ordered_json result = {{"count", m->count}, {"mean", m->value}};
@@ -65,7 +62,7 @@ ordered_json json(const std::optional<Compared>& c) {
   return {{"count", c->count},
           {"mean", c->difference.value},
           {"ci95", {finite(c->difference.lower), finite(c->difference.upper)}},
-          {"percent", c->percent ? ordered_json(*c->percent) : ordered_json(nullptr)}};
+          {"percent", recording::json_of(c->percent)}};
 }
 
 }  // namespace

@@ -99,13 +99,6 @@ Past read_past(const std::filesystem::path& directory, const std::string& header
   return past;
 }
 
-std::uint64_t first_number(std::string_view line) {
-  std::uint64_t value = 0;
-  for (std::size_t i = line.find(' ') + 1; i < line.size() && line[i] != ' '; ++i)
-    value = 10 * value + static_cast<std::uint64_t>(line[i] - '0');
-  return value;
-}
-
 // One run of a shard: hands out chunks and puts the answers into the journal.
 class Run {
  public:
@@ -152,7 +145,7 @@ class Run {
         continue;
       }
       dealer_.finish(answer);
-      record(answer.lines);
+      record(answer.lines, answer.chunk.first);
     }
     refuse(journal_.sync_if_due());
     if (options_.progress)
@@ -170,20 +163,19 @@ class Run {
     const std::string row = row_without_result(
         sweep_, trial_at(sweep_, shard_, position), overdue ? Outcome::timed_out : Outcome::failed,
         overdue ? "it took longer than a trial may" : answer.reason);
-    record(journal_line(position, fmt::format("{:.6f}", answer.seconds), row));
+    record(journal_line(position, fmt::format("{:.6f}", answer.seconds), row), position);
   }
 
-  void record(std::string_view lines) {
+  // Lines of successive positions.
+  void record(std::string_view lines, std::uint64_t position) {
     if (full_ || lines.empty()) return;
     refuse(journal_.append(lines));
-    if (full_) return;
-    for (std::size_t begin = 0; begin < lines.size();) {
-      const std::size_t end = lines.find('\n', begin) + 1;
-      const std::string_view line = lines.substr(begin, end - begin);
-      dealer_.mark(first_number(line));
+    while (!full_ && !lines.empty()) {
+      const std::string_view line = lines.substr(0, lines.find('\n') + 1);
+      lines.remove_prefix(line.size());
+      dealer_.mark(position++);
       ++outcome_.finished;
       outcome_.without_result += has_no_result(line) ? 1 : 0;
-      begin = end;
     }
   }
 

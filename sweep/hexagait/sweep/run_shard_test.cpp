@@ -104,7 +104,7 @@ TEST_F(Running, MakesGoodWhatAKilledWorkerLeftUndone) {
   EXPECT_TRUE(each_once("a"));
 }
 
-// Trials as quick as can be, one of which is what a test makes of it.
+// Trials that take no time; what one of them does is up to the test.
 std::function<std::string(const Sweep&, std::uint64_t)> poisoned(
     std::uint64_t bad, const std::function<void()>& poison) {
   return [=](const Sweep& sweep, std::uint64_t k) {
@@ -133,7 +133,7 @@ TEST_F(Running, IsNotHeldUpByATrialThatKillsItsProcess) {
   }
   EXPECT_EQ(content(at("jobs1") / "trials.csv"), content(at("jobs2") / "trials.csv"));
 
-  // It is done: the same call has nothing to do, and knows of the trial without a result.
+  // All is done: the same call does nothing, and still reports the trial without a result.
   const RunOutcome again = run_shard(sweep, {}, at("jobs1"), {});
   EXPECT_EQ(again.before, again.trials);
   EXPECT_EQ(again.without_result, 1U);
@@ -288,7 +288,7 @@ TEST_F(Running, PublishesNothingThatIsNotWhole) {
   EXPECT_EQ(content(at("a") / "manifest.json"), "old\n");
   EXPECT_EQ(std::ranges::distance(std::filesystem::directory_iterator(at("a"))), 4);
 
-  // A place that is taken by a directory is told before anything is replaced.
+  // Where a directory is in the place of a result, that is said before anything is replaced.
   std::filesystem::remove(at("a") / "manifest.json");
   std::filesystem::create_directory(at("a") / "manifest.json");
   EXPECT_THAT(refusal([&] { publish(at("a")); }), HasSubstr("is not a file"));

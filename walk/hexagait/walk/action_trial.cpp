@@ -5,19 +5,14 @@
 #include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/walk/action_trial.hpp>
 #include <hexagait/walk/detail/state_hash.hpp>
-#include <numbers>
+#include <hexagait/walk/referee.hpp>
 
 namespace hexagait::walk {
 namespace {
 
-constexpr double kFallTilt = std::numbers::pi / 3.0;
-
 // A base that touches the ground faster than this has fallen; a controlled descent is slower. A
 // free fall of 2 cm reaches it [m/s].
 constexpr double kFallSpeed = 0.6;
-
-// A foot that leaves the ground for less than this still counts as standing: too short to tip [s].
-constexpr double kBounce = 0.05;
 
 // Judges an action by ground truth.
 class ActionReferee {

@@ -13,9 +13,7 @@ namespace {
 
 using footstep_gen::TickRecord;
 
-constexpr double kBounce = 0.05;    // a foot off the ground for less goes on standing [s]
 constexpr double kSettling = 0.02;  // a support younger than this may still lose contact [s]
-constexpr double kFallTilt = std::numbers::pi / 3.0;
 
 PlanarPose in_plane(const Pose& X_WB) { return {roll_pitch_yaw(X_WB.R).z(), X_WB.p.head<2>()}; }
 

@@ -6,12 +6,18 @@
 #include <hexagait/sim/ground_truth.hpp>
 #include <hexagait/walk/reference_path.hpp>
 #include <hexagait/walk/summary.hpp>
+#include <numbers>
 #include <vector>
 
 namespace hexagait::walk {
 
 using gait_state::first_tripod_gait;
 using gait_state::TimedLift;
+
+/// A foot that is off the ground for less than this goes on standing: too short to tip [s].
+inline constexpr double kBounce = 0.05;
+/// A base that tilts by more than this has fallen [rad].
+inline constexpr double kFallTilt = std::numbers::pi / 3.0;
 
 /// A robot that is to move and does not make so much progress in so long is stuck.
 struct Patience {

@@ -5,6 +5,7 @@
 #include <ctime>
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/sim/random.hpp>
+#include <hexagait/text/invalid_input.hpp>
 #include <hexagait/walk/trial.hpp>
 
 namespace hexagait::walk {
@@ -36,6 +37,9 @@ Measurement settled(footstep_gen::Walker& walker, Plant& plant, double seconds) 
 
 Summary run_trial(footstep_gen::Walker& walker, Plant& plant, const GroundTruth& truth,
                   const TrialOptions& options, const Observer& observer) {
+  if (options.schedule.empty())
+    throw InvalidInput(
+        "the schedule of the walk is empty; it must have a command, if only to stop");
   const double dt = walker.params().control_dt;
   const auto ticks = static_cast<long>(std::llround(options.seconds / dt));
   Measurement measurement = settled(walker, plant, options.settle);

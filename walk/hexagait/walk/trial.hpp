@@ -11,7 +11,7 @@
 namespace hexagait::walk {
 
 struct TrialOptions {
-  Schedule schedule;                                          ///< commands over time
+  Schedule schedule;                                          ///< commands over time, at least one
   double seconds = 40.0;                                      ///< time limit [s]
   double distance = std::numeric_limits<double>::infinity();  ///< path limit [m]
   double settle = 0.2;  ///< the robot stands for this long before the walk [s]
@@ -24,6 +24,7 @@ using Observer =
 /// Walks in a loop of plant, controller and referee, until the time or path limit, a fall, a fault
 /// or until it is stuck.
 /// @param truth  the plant's ground truth, updated by its write()
+/// @throws InvalidInput  if the schedule is empty
 [[nodiscard]] Summary run_trial(footstep_gen::Walker& walker, Plant& plant,
                                 const GroundTruth& truth, const TrialOptions& options,
                                 const Observer& observer = {});

@@ -4,6 +4,7 @@
 
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/sim3d/world.hpp>
+#include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <hexagait/walk/trial.hpp>
 
@@ -53,6 +54,16 @@ TEST(Trial, TurnsTheDutyFactorWhenTheScheduleSaysSo) {
   ASSERT_EQ(seen.size(), 250U);
   for (std::size_t k = 0; k < seen.size(); ++k)
     EXPECT_EQ(seen[k], k < 50 ? 0.0 : k < 150 ? 0.75 : 0.6) << k;
+}
+
+TEST(Trial, RefusesAScheduleWithoutCommands) {
+  try {
+    static_cast<void>(walk_for({}, 1));
+    FAIL();
+  } catch (const InvalidInput& error) {
+    EXPECT_STREQ(error.what(),
+                 "the schedule of the walk is empty; it must have a command, if only to stop");
+  }
 }
 
 TEST(Trial, HasTheSameBitsTwiceInOneProcess) {

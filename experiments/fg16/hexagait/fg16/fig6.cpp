@@ -67,7 +67,7 @@ Climb climb(std::size_t trial, const ExperimentContext& context,
       climb.pushed_at.push_back(truth.X_WB.p);
       next_push += kPushPeriod;
     }
-    return context.stop == nullptr || !context.stop->load();
+    return !context.stopped();
   };
   const action::Action action = walk_on(footholds, "climb");
   climb.summary = walk::run_action(runner, world, world.truth(), action, {}, observe);
@@ -108,11 +108,12 @@ std::vector<std::string> write_tracks(figures::StagedFiles& files, const Climbs&
                                   1e3 * error_of(0.5), 1e3 * error_of(0.95),
                                   trial == kBlocked ? ", blocked" : ""));
   }
-  files.write("fg16_fig6-feet.csv", feet.text());
-  files.write("fg16_fig6-touchdowns.csv", touchdowns.text());
-  files.write("fg16_fig6-base.csv", base.text());
-  files.write("fg16_fig6-pushes.csv", pushes.text());
-  files.write("fg16_fig6-shares.csv", shares.text());
+  figures::write_tables(files, "fg16_fig6",
+                        {{"feet", feet},
+                         {"touchdowns", touchdowns},
+                         {"base", base},
+                         {"pushes", pushes},
+                         {"shares", shares}});
   return legends;
 }
 
@@ -157,9 +158,8 @@ Outcome fg16_fig6(const ExperimentContext& context, figures::StagedFiles& files)
   std::vector<sim3d::Block> blocks;
   for (std::size_t k = 0; k < climbs.size(); ++k) {
     climbs[k] = climb(k, context, blocks);
-    if (context.stop != nullptr && context.stop->load()) return {};
-    if (context.progress)
-      context.progress(static_cast<double>(k + 1) / static_cast<double>(climbs.size()));
+    if (context.stopped()) return {};
+    context.tell(k + 1, climbs.size());
   }
   draw(files, context, climbs, blocks.front());
   return {.verdicts = judge(climbs, *context.robot),

@@ -53,7 +53,7 @@ Walk walk(Map map, const ExperimentContext& context) {
   };
   const auto observe = [&](const ActionRecord&, const GroundTruth& truth) {
     walk.tracks.observe(runner, runner.frames().X_OM, truth);
-    return context.stop == nullptr || !context.stop->load();
+    return !context.stopped();
   };
   const auto footholds = footholds_along(kRoute, robot, world.terrain());
   const action::Action action = walk_on(footholds, "walk in the map");
@@ -79,8 +79,7 @@ void write_tracks(figures::StagedFiles& files, const Walk& combined, const Walk&
   for (const Walk* walk : {&combined, &odometry})
     for (const FootTracks::Touchdown& t : walk->tracks.touchdowns())
       touchdowns.row(walk == &odometry, t.leg, way(t, robot), t.foothold, t.reached, t.error());
-  files.write("fg16_fig7-foot.csv", foot.text());
-  files.write("fg16_fig7-touchdowns.csv", touchdowns.text());
+  figures::write_tables(files, "fg16_fig7", {{"foot", foot}, {"touchdowns", touchdowns}});
 }
 
 void draw(figures::StagedFiles& files, const ExperimentContext& context, const Walk& combined,
@@ -120,9 +119,9 @@ LocalisedWalk judged(const Walk& walk, const RobotModel& robot) {
 
 Outcome fg16_fig7(const ExperimentContext& context, figures::StagedFiles& files) {
   const Walk combined = walk(Map::combined, context);
-  if (context.progress) context.progress(0.5);
+  context.tell(1, 2);
   const Walk odometry = walk(Map::odometry_only, context);
-  if (context.stop != nullptr && context.stop->load()) return {};
+  if (context.stopped()) return {};
   draw(files, context, combined, odometry);
   return {.verdicts =
               judge_localised(judged(combined, *context.robot), judged(odometry, *context.robot),

@@ -17,12 +17,10 @@ using Touchdown = FootTracks::Touchdown;
 
 double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 
-std::vector<SafetyCheck> no_fall(std::span<const Climbed> climbs) {
-  return {{{"trials that fell", share_of(climbs, [](const Climbed& c) { return c.summary.fell; })},
-           exactly(0.0)},
-          {{"trials that a fault ended",
-            share_of(climbs, [](const Climbed& c) { return c.summary.fault != Fault::none; })},
-           exactly(0.0)}};
+std::vector<SafetyCheck> no_fall_in(std::span<const Climbed> climbs) {
+  std::vector<walk::ActionSummary> summaries;
+  for (const Climbed& climb : climbs) summaries.push_back(climb.summary);
+  return no_fall(summaries, "trials");
 }
 
 Verdict judge_arrival(std::span<const Climbed> climbs) {
@@ -31,7 +29,7 @@ Verdict judge_arrival(std::span<const Climbed> climbs) {
   return {.claim =
               "From four starting positions the robot climbs a step of 12 cm by footholds in "
               "the map, pushed on its base on the way",
-          .safety = no_fall(climbs),
+          .safety = no_fall_in(climbs),
           .checks = {{{"trials whose action succeeds",
                        share_of(climbs, [](const Climbed& c) { return c.summary.ok(); })},
                       exactly(100.0)},
@@ -78,8 +76,8 @@ Verdict judge_block(const Climbed& climb, LegId leg, const Vector3& p_MF) {
   return {.claim =
               "A foot whose foothold is blocked stands where it comes to, and the rest goes "
               "on as if nothing had been",
-          .safety = no_fall({&climb, 1}),
-          .checks = {{{"actions that succeed", "", climb.summary.ok() ? 1.0 : 0.0}, exactly(1.0)},
+          .safety = no_fall_in({&climb, 1}),
+          .checks = {{{"actions that succeed", "", climb.summary.ok()}, exactly(1.0)},
                      {{"beside its foothold", "cm", blocked == end ? nan : 1e2 * blocked->error()},
                       at_least(1.0)},
                      {{"above its foothold", "cm",
@@ -105,11 +103,10 @@ std::vector<Verdict> judge_localised(const LocalisedWalk& combined,
   // stops it, and what that does to odometry.
   constexpr double kSmooth = 1.0;  // [mm]
   const auto walked = [](const char* name, const walk::ActionSummary& s) {
-    return Check({name, "", s.ok() ? 1.0 : 0.0}, exactly(1.0));
+    return Check({name, "", s.ok()}, exactly(1.0));
   };
   const std::vector<SafetyCheck> no_fall = {
-      {{"falls", "", static_cast<double>(combined.summary.fell + odometry_only.summary.fell)},
-       exactly(0.0)}};
+      {{"falls", "", combined.summary.fell + odometry_only.summary.fell}, exactly(0.0)}};
   const double c = percentile(combined.last_metre, 0.5),
                o = percentile(odometry_only.last_metre, 0.5);
   return {

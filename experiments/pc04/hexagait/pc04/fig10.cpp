@@ -25,7 +25,7 @@ Outcome fig10(const ExperimentContext& context, figures::StagedFiles& files) {
   recording::Simulation simulation;
   simulation.terrain = {sim3d::TerrainSpec::Kind::boxes, kRoughness};
   simulation.trial.schedule = {{0.0, Heading::arc(kRadius, 0.0)}};
-  simulation.trial.seconds = kSeconds;
+  simulation.trial.seconds = context.short_form ? 10.0 : kSeconds;
 
   const auto [recording, summary] = record(context, simulation);
   const double end = recording.samples().back().time;
@@ -41,7 +41,7 @@ Outcome fig10(const ExperimentContext& context, figures::StagedFiles& files) {
       {0.0, 0.25 * end, 0.5 * end, 0.75 * end, end}, {simulation.terrain, simulation.seed},
       recording, *context.robot);
   return {.walk = recording::WalkReport{context.robot->name, simulation, summary},
-          .verdicts = judge_fig10(summary)};
+          .verdicts = judged_in_full_only(judge_fig10(summary), context.short_form)};
 }
 
 }  // namespace hexagait::experiments

@@ -108,8 +108,7 @@ Outcome fig3(const ExperimentContext& context, figures::StagedFiles& files) {
   std::vector<WaveGait> gaits = family();
   figures::Csv steps("panel,from,to,leg"), states("panel,from,to,state,type,type_number");
   for (std::size_t k = 0; k < gaits.size(); ++k) walk(gaits[k], k, steps, states);
-  files.write("fig3-steps.csv", steps.text());
-  files.write("fig3-states.csv", states.text());
+  figures::write_tables(files, "fig3", {{"steps", steps}, {"states", states}});
   figures::draw_figure(
       files,
       context.figure("fig3", 1300, 780, "Wave gaits of four duty factors",
@@ -117,8 +116,8 @@ Outcome fig3(const ExperimentContext& context, figures::StagedFiles& files) {
                      "type of the gait state · after [PC04] Fig. 3 and section 3.2"),
       variables(gaits), scripts::pc04::fig3);
 
-  figures::Table table{{"duty factor", "types", "lifts of half the time shown"}, {}};
-  for (const WaveGait& gait : gaits) table.rows.push_back({gait.label, gait.found, gait.lifts});
+  figures::Csv table("duty factor,types,lifts of half the time shown");
+  for (const WaveGait& gait : gaits) table.row(gait.label, gait.found, gait.lifts);
   return {.verdicts = judge_fig3(gaits),
           .settings = {{"step_time_slices", "6"}, {"seed", "1"}},
           .table = table};

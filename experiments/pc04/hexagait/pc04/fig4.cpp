@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <hexagait/figures/csv.hpp>
 #include <hexagait/figures/drawing.hpp>
 #include <hexagait/pc04/judges.hpp>
 #include <hexagait/pc04/pc04.hpp>
@@ -168,11 +169,10 @@ figures::Drawing drawn(const std::vector<Transition>& all) {
 
 Outcome fig4(const ExperimentContext& context, figures::StagedFiles& files) {
   const std::vector<Transition> all = transitions();
-  figures::Table table{{"from", "from_type", "to", "to_type", "legs"}, {}};
+  figures::Csv table("from,from_type,to,to_type,legs");
   for (const Transition& t : all)
-    table.rows.push_back({to_string(t.from), std::string(1, letter(t.from)), to_string(t.to),
-                          std::string(1, letter(t.to)), std::to_string(t.legs.size())});
-  figures::write_csv(files, "fig4.csv", table);
+    table.row(to_string(t.from), letter(t.from), to_string(t.to), letter(t.to), t.legs.size());
+  files.write("fig4.csv", table.text());
   drawn(all).draw(
       files, context.figure("fig4", 1400, 890, "Transitions between the gait states with CCN = 3",
                             "an arrow for each set of legs with priority that step together · "

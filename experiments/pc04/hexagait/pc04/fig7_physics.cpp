@@ -19,10 +19,6 @@
 namespace hexagait::experiments {
 namespace {
 
-using Ground = GenghisGround;
-using enum GenghisGround::Gait;
-using Gait = Ground::Gait;
-
 const std::vector<std::string> kGaits = {"tripod", "free", "unadjusted"};
 constexpr std::array<int, 5> kRoughness = {0, 2, 4, 6, 8};  // [cm]
 constexpr int kSeeds = 20;
@@ -30,10 +26,10 @@ constexpr double kSeconds = 60.0;
 constexpr double kTransient = 12.0;  // the start, from a random posture [s]
 constexpr double kPosture = 0.025;   // feet start displaced by up to half a stroke [m]
 
-Ground::Walk walk(const std::string& gait, int roughness, std::uint64_t seed, double seconds,
-                  const std::atomic<bool>* stop) {
+GenghisComparison::Run walk(const std::string& gait, const std::string& terrain, std::uint64_t seed,
+                            double seconds, const std::atomic<bool>* stop) {
   sim2d::GenghisTrial trial;
-  trial.terrain = sim2d::parse_terrain2d(fmt::format("rough:{}cm", roughness));
+  trial.terrain = sim2d::parse_terrain2d(terrain);
   trial.gait = gait_state::parse_gait_choice(gait).value();
   trial.seed = seed;
   trial.seconds = seconds;
@@ -45,7 +41,7 @@ Ground::Walk walk(const std::string& gait, int roughness, std::uint64_t seed, do
     if (truth.time <= begin + kTransient) start = truth.X_WB.p.x();
     end = truth.X_WB.p.x();
   };
-  Ground::Walk result{recording::simulate(trial, observe, stop)};
+  GenghisComparison::Run result{recording::simulate(trial, observe, stop)};
   const double settled = result.summary.seconds - kTransient;
   result.settled_speed = settled > 0.0 ? (end - start) / settled : 0.0;
   return result;
@@ -55,37 +51,34 @@ std::string spelt(const statistics::Estimate& e) {
   return fmt::format("{:.2f} ± {:.2f}", e.mean, e.half_width);
 }
 
-figures::Table write_tables(figures::StagedFiles& files, const std::vector<Ground>& grounds) {
-  figures::Table table{{"terrain", "gait", "speed ± CI95 [cm/s]", "after the start",
-                        "ahead of tripod", "steps", "stuck or fallen"},
-                       {}};
+figures::Csv write_tables(figures::StagedFiles& files,
+                          const std::vector<GenghisComparison>& grounds) {
+  figures::Csv table(
+      "terrain,gait,speed ± CI95 [cm/s],after the start,ahead of tripod,steps,stuck or fallen");
   figures::Csv means(
       "gait_number,roughness_cm,mean_cm_s,half_width_95,ahead_cm_s,ahead_half_width_95");
   figures::Csv trials(
       "gait_number,roughness_cm,seed,speed_cm_s,settled_cm_s,steps,tripod_after,blocked,searches,"
       "slip_m,pitch_max_rad,ok,hash");
-  for (const Ground& ground : grounds)
-    for (const Gait gait : {kTripod, kFree, kUnadjusted}) {
+  for (std::size_t k = 0; k < grounds.size(); ++k)
+    for (std::size_t gait = 0; gait < kGaits.size(); ++gait) {
+      const GenghisComparison& ground = grounds[k];
       const statistics::Estimate speed = statistics::estimate(ground.speeds(gait)),
-                                 ahead = ground.ahead(gait);
-      means.row(static_cast<int>(gait), ground.roughness, speed.mean, speed.half_width, ahead.mean,
-                ahead.half_width);
+                                 ahead = ground.ahead_of_first(gait);
+      means.row(gait, kRoughness[k], speed.mean, speed.half_width, ahead.mean, ahead.half_width);
       int seed = 0, steps = 0, failed = 0;
-      for (const auto& [s, settled] : ground.walks[gait]) {
-        trials.row(static_cast<int>(gait), ground.roughness, ++seed, 1e2 * s.speed, 1e2 * settled,
-                   s.steps, s.tripod_after_steps.value_or(-1), s.side_view.blocked,
-                   s.side_view.searches, s.slip_mean, s.pitch_max, s.ok(),
-                   fmt::format("{:016x}", s.state_hash));
+      for (const auto& [s, settled] : ground.runs[gait]) {
+        trials.row(gait, kRoughness[k], ++seed, 1e2 * s.speed, 1e2 * settled, s.steps,
+                   s.tripod_after_steps.value_or(-1), s.side_view.blocked, s.side_view.searches,
+                   s.slip_mean, s.pitch_max, s.ok(), fmt::format("{:016x}", s.state_hash));
         steps += s.steps;
         failed += !s.ok();
       }
-      table.rows.push_back({ground.name(), kGaits[gait], spelt(speed),
-                            spelt(statistics::estimate(ground.settled_speeds(gait))),
-                            gait == kTripod ? "–" : spelt(ahead), std::to_string(steps),
-                            std::to_string(failed)});
+      table.row(ground.terrain, kGaits[gait], spelt(speed),
+                spelt(statistics::estimate(ground.settled_speeds(gait))),
+                gait == 0 ? "–" : spelt(ahead), steps, failed);
     }
-  files.write("fig7_physics-means.csv", means.text());
-  files.write("fig7_physics-trials.csv", trials.text());
+  figures::write_tables(files, "fig7_physics", {{"means", means}, {"trials", trials}});
   return table;
 }
 
@@ -95,22 +88,24 @@ Outcome fig7_physics(const ExperimentContext& context, figures::StagedFiles& fil
   const auto begin = std::chrono::steady_clock::now();
   const int seeds = context.short_form ? 2 : kSeeds;
   const double length = context.short_form ? 16.0 : kSeconds;
-  std::vector<Ground> grounds;
-  const double all = seeds * static_cast<double>(kRoughness.size());
-  double done = 0.0;
+  std::vector<GenghisComparison> grounds;
+  std::size_t done = 0;
   for (const int roughness : kRoughness) {
-    Ground& ground = grounds.emplace_back();
-    ground.roughness = roughness;
+    GenghisComparison& ground = grounds.emplace_back(
+        GenghisComparison{.terrain = fmt::format("rough:{}cm", roughness),
+                          .gaits = kGaits,
+                          .runs = std::vector<std::vector<GenghisComparison::Run>>(kGaits.size()),
+                          .scale = 1e2});
     for (int seed = 1; seed <= seeds; ++seed) {
-      for (const Gait gait : {kTripod, kFree, kUnadjusted})
-        ground.walks[gait].push_back(
-            walk(kGaits[gait], roughness, static_cast<std::uint64_t>(seed), length, context.stop));
-      if (context.progress) context.progress(++done / all);
-      if (context.stop != nullptr && context.stop->load()) return {};
+      for (std::size_t gait = 0; gait < kGaits.size(); ++gait)
+        ground.runs[gait].push_back(walk(kGaits[gait], ground.terrain,
+                                         static_cast<std::uint64_t>(seed), length, context.stop));
+      context.tell(++done, static_cast<std::size_t>(seeds) * kRoughness.size());
+      if (context.stopped()) return {};
     }
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  const figures::Table table = write_tables(files, grounds);
+  const figures::Csv table = write_tables(files, grounds);
   figures::draw_figure(
       files,
       context.figure("fig7_physics", 1400, 640,
@@ -120,10 +115,7 @@ Outcome fig7_physics(const ExperimentContext& context, figures::StagedFiles& fil
                                  "Fig. 7",
                                  seeds, length)),
       {}, scripts::pc04::fig7_physics);
-  std::vector<Verdict> verdicts = judge_fig7_physics(grounds);
-  for (Verdict& verdict : verdicts)
-    verdict = judged_in_full_only(std::move(verdict), context.short_form);
-  return {.verdicts = std::move(verdicts),
+  return {.verdicts = judged_in_full_only(judge_fig7_physics(grounds), context.short_form),
           .settings = {{"robot", "genghis2d"},
                        {"seeds", std::to_string(seeds)},
                        {"seconds", fmt::format("{}", length)},

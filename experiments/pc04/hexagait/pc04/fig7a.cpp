@@ -15,9 +15,9 @@ Outcome fig7a(const ExperimentContext& context, figures::StagedFiles& files) {
   draw_comparison(files,
                   context.figure("fig7a", 1400, 620, "Mean speed on flat ground",
                                  described(c) + " · after [PC04] Fig. 7-A"),
-                  c, {{"slices", SliceComparison::kSlices}}, scripts::pc04::fig7a);
-  const figures::Table table = summary_table(c);
-  figures::write_csv(files, "fig7a.csv", table);
+                  c, {{"slices", kSlices}}, scripts::pc04::fig7a);
+  const figures::Csv table = summary_table({c});
+  files.write("fig7a.csv", table.text());
   return {.verdicts = judge_fig7a(c),
           .settings = settings_of(c),
           .table = table,

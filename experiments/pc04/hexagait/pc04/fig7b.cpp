@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <hexagait/figures/csv.hpp>
 #include <hexagait/pc04/fig7b.gp.hpp>
 #include <hexagait/pc04/judges.hpp>
 #include <hexagait/pc04/pc04.hpp>
@@ -39,49 +38,36 @@ void write_profiles(figures::StagedFiles& files, const std::vector<SliceComparis
     }
     csv.gap();
   }
-  files.write("fig7b-profiles.csv", csv.text());
-}
-
-// The grounds of the claim that it is ahead, and all grounds.
-std::vector<Verdict> judge(const std::vector<SliceComparison>& descents,
-                           const std::vector<SliceComparison>& profiles) {
-  std::vector<SliceComparison> rough = descents, all = descents;
-  for (std::size_t k = 0; k < profiles.size(); ++k) {
-    all.push_back(profiles[k]);
-    // Up to half a slice's descent nobody feels it.
-    if (0.5 < kRoughness[k] && kRoughness[k] <= kRoughest) rough.push_back(profiles[k]);
-  }
-  return judge_fig7b(rough, all, descents[1]);
+  figures::write_tables(files, "fig7b", {{"profiles", csv}});
 }
 
 }  // namespace
 
 Outcome fig7b(const ExperimentContext& context, figures::StagedFiles& files) {
-  std::vector<SliceComparison> descents, profiles;
-  double done = 0.0;
-  const auto compare = [&](const std::string& terrain) {
-    if (context.progress)
-      context.progress(done++ / static_cast<double>(kDescents.size() + kRoughness.size()));
-    return compare_gaits(kGaits, terrain);
-  };
-  for (const std::string& terrain : kDescents) descents.push_back(compare(terrain));
-  for (const double roughness : kRoughness) profiles.push_back(compare(profile(roughness)));
+  std::vector<SliceComparison> all;  // the descents, then the profiles
+  std::vector<std::string> terrains = kDescents;
+  for (const double roughness : kRoughness) terrains.push_back(profile(roughness));
+  for (const std::string& terrain : terrains) {
+    context.tell(all.size(), terrains.size());
+    all.push_back(compare_gaits(kGaits, terrain));
+  }
+  const std::vector<SliceComparison> profiles(all.begin() + kDescents.size(), all.end());
+  const SliceComparison& shown = all[1];
   write_profiles(files, profiles);
   draw_comparison(files,
                   context.figure("fig7b", 1500, 960, "Mean speed on rough ground",
-                                 described(descents[1]) + " · after [PC04] Fig. 7-B"),
-                  descents[1], {{"terrain_title", "Descents of 3 … 7 slices"}},
-                  scripts::pc04::fig7b);
+                                 described(shown) + " · after [PC04] Fig. 7-B"),
+                  shown, {{"terrain_title", "Descents of 3 … 7 slices"}}, scripts::pc04::fig7b);
 
-  Outcome outcome{.verdicts = judge(descents, profiles), .settings = settings_of(descents[1])};
-  for (const auto* group : {&descents, &profiles})
-    for (const SliceComparison& c : *group) {
-      const figures::Table table = summary_table(c);
-      outcome.table.header = table.header;
-      outcome.table.rows.insert(outcome.table.rows.end(), table.rows.begin(), table.rows.end());
-      outcome.compute_seconds += c.seconds;
-    }
-  figures::write_csv(files, "fig7b.csv", outcome.table);
+  // The grounds of the claim that it is ahead: up to half a slice's descent nobody feels it.
+  std::vector<SliceComparison> rough(all.begin(), all.end() - profiles.size());
+  for (std::size_t k = 0; k < profiles.size(); ++k)
+    if (0.5 < kRoughness[k] && kRoughness[k] <= kRoughest) rough.push_back(profiles[k]);
+  Outcome outcome{.verdicts = judge_fig7b(rough, all, shown),
+                  .settings = settings_of(shown),
+                  .table = summary_table(all)};
+  for (const SliceComparison& c : all) outcome.compute_seconds += c.seconds;
+  files.write("fig7b.csv", outcome.table.text());
   return outcome;
 }
 

@@ -17,13 +17,15 @@ using heading_control::Heading;
 using heading_control::Turn;
 
 constexpr double kSeconds = 56.0;
+constexpr double kShort = 0.2;  // of all times, in the short form
 
-walk::Schedule trajectory() {
+// @param share  of the times
+walk::Schedule trajectory(double share) {
   return {{0.0, Heading::straight(0.0)},
-          {11.0, Heading::spin(Turn::ccw)},
-          {17.0, Heading::straight(0.0)},
-          {28.0, Heading::arc(-1.2, 0.0)},
-          {45.0, Heading::straight(0.0)}};
+          {share * 11.0, Heading::spin(Turn::ccw)},
+          {share * 17.0, Heading::straight(0.0)},
+          {share * 28.0, Heading::arc(-1.2, 0.0)},
+          {share * 45.0, Heading::straight(0.0)}};
 }
 
 // Between two lifts; also before the first and after the last.
@@ -39,9 +41,12 @@ double longest_pause(const recording::Recording& recording) {
 }  // namespace
 
 Outcome fig9(const ExperimentContext& context, figures::StagedFiles& files) {
+  const double share = context.short_form ? kShort : 1.0;
   recording::Simulation simulation;
-  simulation.trial.schedule = trajectory();
-  simulation.trial.seconds = kSeconds;
+  simulation.trial.schedule = trajectory(share);
+  simulation.trial.seconds = share * kSeconds;
+  std::vector<double> instants = {0.0, 6.0, 15.5, 21.5, 27.0, 34.0, 42.0, 55.0};
+  for (double& time : instants) time *= share;
 
   const auto [recording, summary] = record(context, simulation);
   draw_snapshots(
@@ -51,10 +56,10 @@ Outcome fig9(const ExperimentContext& context, figures::StagedFiles& files) {
                                  "average · after [PC04] Fig. 9",
                                  context.robot->name, summary.distance, summary.seconds,
                                  1e3 * summary.lateral_mean)),
-      {0.0, 6.0, 15.5, 21.5, 27.0, 34.0, 42.0, 55.0}, {simulation.terrain, simulation.seed},
-      recording, *context.robot);
+      instants, {simulation.terrain, simulation.seed}, recording, *context.robot);
   return {.walk = recording::WalkReport{context.robot->name, simulation, summary},
-          .verdicts = judge_fig9(summary, longest_pause(recording))};
+          .verdicts = judged_in_full_only(judge_fig9(summary, longest_pause(recording)),
+                                          context.short_form)};
 }
 
 }  // namespace hexagait::experiments

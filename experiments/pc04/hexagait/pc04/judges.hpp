@@ -56,24 +56,11 @@ struct FirstSteps {
                                                const std::vector<SliceComparison>& all,
                                                const SliceComparison& sample);
 
-/// Walks of Genghis in Box2D on one ground, by gait (tripod, free, unadjusted) and seed.
-struct GenghisGround {
-  struct Walk {
-    recording::GenghisSummary summary = {};
-    double settled_speed = 0.0;  ///< after the transient [m/s]
-  };
-  enum Gait : std::size_t { kTripod, kFree, kUnadjusted };
-
-  int roughness = 0;  ///< [cm]
-  std::array<std::vector<Walk>, 3> walks = {};
-
-  [[nodiscard]] std::vector<double> speeds(Gait gait) const;          ///< [cm/s]
-  [[nodiscard]] std::vector<double> settled_speeds(Gait gait) const;  ///< [cm/s]
-  [[nodiscard]] statistics::Estimate ahead(Gait gait) const;  ///< of the tripod controller [cm/s]
-  [[nodiscard]] std::string name() const;                     ///< of the terrain
-};
+/// Walks of Genghis in Box2D on one ground: tripod, free, unadjusted. Speeds in cm/s.
+using GenghisComparison = GaitComparison<recording::GenghisSummary>;
 /// @param grounds  the flat one first, then rougher and rougher
-[[nodiscard]] std::vector<Verdict> judge_fig7_physics(const std::vector<GenghisGround>& grounds);
+[[nodiscard]] std::vector<Verdict> judge_fig7_physics(
+    const std::vector<GenghisComparison>& grounds);
 
 /// @param longest_pause  between two lifts [s]
 [[nodiscard]] std::vector<Verdict> judge_fig9(const walk::Summary& summary, double longest_pause);

@@ -101,7 +101,7 @@ TEST(JudgeFig6, WantsFiftyUnitsAStepTheSameOfTheFreeGaitAndLessWithoutAdjustment
 
 // Ten starts; speeds of each gait spread by 1 %, the same spread for all.
 SliceComparison comparison(const std::vector<double>& speeds) {
-  SliceComparison c{.terrain = "flat", .gaits = {}, .runs = {}};
+  SliceComparison c{.terrain = "flat"};
   for (const double speed : speeds) {
     c.gaits.emplace_back("gait");
     auto& runs = c.runs.emplace_back();
@@ -157,18 +157,20 @@ TEST(JudgeFig7b, WantsTheFreeGaitAheadOnAllRoughGroundsAndNeverBelow) {
 }
 
 // A flat ground and two rough ones; each walk walks at speed ± 0.5 %, in cm/s.
-std::vector<GenghisGround> grounds() {
+std::vector<GenghisComparison> grounds() {
   const std::array<std::array<double, 3>, 3> speeds = {
       {{5.20, 5.19, 4.2}, {4.6, 4.4, 4.0}, {4.0, 3.76, 3.5}}};
-  std::vector<GenghisGround> all;
+  std::vector<GenghisComparison> all;
   for (std::size_t k = 0; k < speeds.size(); ++k) {
-    GenghisGround& ground = all.emplace_back();
-    ground.roughness = static_cast<int>(2 * k);
+    GenghisComparison& ground = all.emplace_back();
+    ground.terrain = std::to_string(2 * k) + " cm";
+    ground.scale = 1e2;
+    ground.runs.resize(3);
     for (std::size_t gait = 0; gait < 3; ++gait)
       for (int seed = 0; seed < 10; ++seed) {
         const double speed = 1e-2 * speeds[k][gait] * (1.0 + 0.0005 * (seed - 4.5));
-        ground.walks[gait].push_back({.settled_speed = speed});
-        ground.walks[gait].back().summary.speed = speed;
+        ground.runs[gait].push_back({.settled_speed = speed});
+        ground.runs[gait].back().summary.speed = speed;
       }
   }
   return all;
@@ -179,36 +181,36 @@ TEST(JudgeFig7Physics, WantsWhatIsFoundAndNothingElse) {
             (Words{kHolds, kHolds, kHolds, kExpected, kExpected, kHolds, kHolds}));
 
   auto faster = grounds();
-  for (auto& walk : faster[2].walks[1]) walk.summary.speed += 0.02;
+  for (auto& walk : faster[2].runs[1]) walk.summary.speed += 0.02;
   EXPECT_EQ(judge_fig7_physics(faster)[0].word(), kFails) << "faster on rougher ground";
 
   auto slow = grounds();
-  for (auto& walk : slow[0].walks[1]) walk.settled_speed *= 0.9;
+  for (auto& walk : slow[0].runs[1]) walk.settled_speed *= 0.9;
   EXPECT_EQ(judge_fig7_physics(slow)[1].word(), kFails);
 
   auto unadjusted = grounds();
-  for (auto& walk : unadjusted[0].walks[2]) walk.settled_speed = 0.052;
+  for (auto& walk : unadjusted[0].runs[2]) walk.settled_speed = 0.052;
   EXPECT_EQ(judge_fig7_physics(unadjusted)[2].word(), kFails);
 
   auto ahead = grounds();
   for (std::size_t k = 1; k < 3; ++k)
-    for (auto& walk : ahead[k].walks[1]) walk.summary.speed *= 1.10;
+    for (auto& walk : ahead[k].runs[1]) walk.summary.speed *= 1.10;
   EXPECT_EQ(judge_fig7_physics(ahead)[3].word(), kFails) << "it holds, against expectation";
 
   auto crawling = grounds();
-  for (auto& walk : crawling[2].walks[1]) walk.summary.speed *= 0.5;
+  for (auto& walk : crawling[2].runs[1]) walk.summary.speed *= 0.5;
   EXPECT_EQ(judge_fig7_physics(crawling)[4].word(), kFails) << "worse than expected";
 }
 
 TEST(JudgeFig7Physics, ExcusesNoFallNoStuckWalkAndNoViolation) {
   auto all = grounds();
-  all[1].walks[2][3].summary.fell = true;
+  all[1].runs[2][3].summary.fell = true;
   EXPECT_EQ(judge_fig7_physics(all)[5].word(), kFails);
   all = grounds();
-  all[1].walks[2][3].summary.stuck = true;
+  all[1].runs[2][3].summary.stuck = true;
   EXPECT_EQ(judge_fig7_physics(all)[5].word(), kFails);
   all = grounds();
-  all[1].walks[2][3].summary.rule1_commanded = 1;
+  all[1].runs[2][3].summary.rule1_commanded = 1;
   EXPECT_EQ(judge_fig7_physics(all)[6].word(), kFails);
 }
 

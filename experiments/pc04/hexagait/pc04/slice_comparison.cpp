@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <hexagait/figures/csv.hpp>
 #include <hexagait/pc04/slice_comparison.gp.hpp>
 #include <hexagait/pc04/slice_comparison.hpp>
 
@@ -13,12 +12,11 @@ namespace hexagait::experiments {
 namespace {
 
 SliceComparison::Run run(const sim2d::SliceConfig& config, std::uint32_t trial) {
-  sim2d::SliceRobot robot(config, {SliceComparison::kSeed, trial});
-  for (int slice = 0; slice < SliceComparison::kTransient; ++slice) robot.advance();
+  sim2d::SliceRobot robot(config, {kSliceSeed, trial});
+  for (int slice = 0; slice < kSliceTransient; ++slice) robot.advance();
   const double start = robot.position();
-  for (int slice = SliceComparison::kTransient; slice < config.slices; ++slice) robot.advance();
-  return {robot.summary(),
-          (robot.position() - start) / (config.slices - SliceComparison::kTransient)};
+  for (int slice = kSliceTransient; slice < config.slices; ++slice) robot.advance();
+  return {robot.summary(), (robot.position() - start) / (config.slices - kSliceTransient)};
 }
 
 // The names by which the figures call the gaits.
@@ -33,28 +31,15 @@ std::string title_of(const std::string& gait) {
 
 }  // namespace
 
-std::vector<double> SliceComparison::speeds(std::size_t gait) const {
-  return each(gait, [](const Run& run) { return run.summary.speed; });
-}
-
-std::vector<double> SliceComparison::settled_speeds(std::size_t gait) const {
-  return each(gait, [](const Run& run) { return run.settled_speed; });
-}
-
-statistics::Estimate SliceComparison::ahead_of_first(std::size_t gait) const {
-  return statistics::paired_difference(speeds(gait), speeds(0));
-}
-
 SliceComparison compare_gaits(const std::vector<std::string>& gaits, const std::string& terrain) {
   const auto start = std::chrono::steady_clock::now();
-  SliceComparison comparison{.terrain = terrain, .gaits = gaits, .runs = {}};
+  SliceComparison comparison{.terrain = terrain, .gaits = gaits};
   for (const std::string& gait : gaits) {
     const sim2d::SliceConfig config{.gait = gait_state::parse_gait_choice(gait).value(),
                                     .terrain = sim2d::parse_slice_terrain(terrain).value(),
-                                    .slices = SliceComparison::kSlices};
+                                    .slices = kSlices};
     auto& runs = comparison.runs.emplace_back();
-    for (std::uint32_t trial = 0; trial < SliceComparison::kTrials; ++trial)
-      runs.push_back(run(config, trial));
+    for (std::uint32_t trial = 0; trial < kSliceTrials; ++trial) runs.push_back(run(config, trial));
   }
   comparison.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -66,41 +51,39 @@ std::string spelt(const statistics::Estimate& e) {
   return fmt::format("{:.3f} ± {:.3f}", mean, e.half_width);
 }
 
-figures::Table summary_table(const SliceComparison& c) {
-  figures::Table table{{"terrain", "gait", "speed ± CI95", "SD", "least", "most",
-                        "ahead of " + c.gaits[0], "stroke S", "share of the bound"},
-                       {}};
-  for (std::size_t k = 0; k < c.gaits.size(); ++k) {
-    const std::vector<double> speeds = c.speeds(k);
-    const auto [least, most] = std::ranges::minmax(speeds);
-    const double sweep = c.mean(k, [](const auto& run) { return run.summary.stroke; });
-    const double share = c.mean(k, [](const auto& run) { return run.summary.fraction_of_bound(); });
-    table.rows.push_back({c.terrain, c.gaits[k], spelt(statistics::estimate(speeds)),
-                          fmt::format("{:.3f}", statistics::estimate(speeds).sd),
-                          fmt::format("{:.2f}", least), fmt::format("{:.2f}", most),
-                          k == 0 ? "–" : spelt(c.ahead_of_first(k)), fmt::format("{:.1f}", sweep),
-                          fmt::format("{:.2f}", share)});
-  }
+figures::Csv summary_table(const std::vector<SliceComparison>& comparisons) {
+  figures::Csv table("terrain,gait,speed ± CI95,SD,least,most,ahead of " + comparisons[0].gaits[0] +
+                     ",stroke S,share of the bound");
+  for (const SliceComparison& c : comparisons)
+    for (std::size_t k = 0; k < c.gaits.size(); ++k) {
+      const std::vector<double> speeds = c.speeds(k);
+      const auto [least, most] = std::ranges::minmax(speeds);
+      const double stroke = c.mean(k, [](const auto& run) { return run.summary.stroke; });
+      const double share =
+          c.mean(k, [](const auto& run) { return run.summary.fraction_of_bound(); });
+      const statistics::Estimate speed = statistics::estimate(speeds);
+      table.row(c.terrain, c.gaits[k], spelt(speed), fmt::format("{:.3f}", speed.sd),
+                fmt::format("{:.2f}", least), fmt::format("{:.2f}", most),
+                k == 0 ? "–" : spelt(c.ahead_of_first(k)), fmt::format("{:.1f}", stroke),
+                fmt::format("{:.2f}", share));
+    }
   return table;
 }
 
 std::vector<std::pair<std::string, std::string>> settings_of(const SliceComparison& c) {
-  std::string gaits;
-  for (const std::string& gait : c.gaits)
-    gaits += fmt::format("{}{}", gaits.empty() ? "" : " ", gait);
   return {{"model", "slices"},
           {"terrain", c.terrain},
-          {"gaits", gaits},
-          {"seed", std::to_string(SliceComparison::kSeed)},
-          {"trials", std::to_string(SliceComparison::kTrials)},
-          {"slices", std::to_string(SliceComparison::kSlices)}};
+          {"gaits", fmt::format("{}", fmt::join(c.gaits, " "))},
+          {"seed", std::to_string(kSliceSeed)},
+          {"trials", std::to_string(kSliceTrials)},
+          {"slices", std::to_string(kSlices)}};
 }
 
 std::string described(const SliceComparison& c) {
   return fmt::format(
       "{} random starts × {} slices, the same for every gait · dots: starts · diamonds: means, "
       "bars and bands: 95 % confidence intervals",
-      c.runs[0].size(), SliceComparison::kSlices);
+      c.runs[0].size(), kSlices);
 }
 
 void draw_comparison(figures::StagedFiles& files, const figures::Figure& figure,
@@ -127,8 +110,7 @@ void draw_comparison(figures::StagedFiles& files, const figures::Figure& figure,
       most_speed = std::max(most_speed, s.speed);
     }
   }
-  files.write(figure.stem + "-trials.csv", trials.text());
-  files.write(figure.stem + "-means.csv", means.text());
+  figures::write_tables(files, figure.stem, {{"trials", trials}, {"means", means}});
   variables.set("names", names);
   for (const auto& [name, value] :
        {std::pair{"least_lead", least_lead}, {"most_lead", most_lead}, {"most_speed", most_speed}})

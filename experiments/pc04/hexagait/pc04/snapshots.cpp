@@ -44,9 +44,12 @@ void write_snapshots(figures::StagedFiles& files, const std::string& stem,
     names.row(name++, sample.time, sample.X_WB.p.x(), sample.X_WB.p.y(),
               roll_pitch_yaw(sample.X_WB.R).z());
   }
-  files.write(stem + "-outlines.csv", outlines.text());
-  files.write(stem + "-legs.csv", legs.text());
-  files.write(stem + "-snapshots.csv", names.text());
+  figures::write_tables(files, stem,
+                        {{"body", recording.body_table()},
+                         {"steps", recording.steps_table(robot)},
+                         {"outlines", outlines},
+                         {"legs", legs},
+                         {"snapshots", names}});
 }
 
 void write_terrain(figures::StagedFiles& files, const std::string& name,
@@ -83,12 +86,6 @@ RecordedWalk record(const ExperimentContext& context, const recording::Simulatio
 void draw_snapshots(figures::StagedFiles& files, figures::Figure figure,
                     const std::vector<double>& times, const sim3d::Terrain& terrain,
                     const Recording& recording, const RobotModel& robot) {
-  std::ofstream body = files.create(figure.stem + "-body.csv");
-  recording.write_body(body);
-  body.close();
-  std::ofstream steps = files.create(figure.stem + "-steps.csv");
-  recording.write_steps(steps, robot);
-  steps.close();
   write_snapshots(files, figure.stem, times, recording, robot);
 
   // The figure's size, from the ground that is shown: a metre is as long across as up.

@@ -91,12 +91,11 @@ std::vector<Table1Cell> table1_cells() {
 
 Outcome table1(const ExperimentContext& context, figures::StagedFiles& files) {
   const std::vector<Table1Cell> cells = table1_cells();
-  figures::Table table{{"ccn", "type", "state", "rotations"}, {}};
+  figures::Csv table("ccn,type,state,rotations");
   for (const Table1Cell& cell : cells)
     for (const std::string& state : cell.classes)
-      table.rows.push_back({std::to_string(cell.ccn), std::string(1, cell.type), state,
-                            std::to_string(cell.states)});
-  figures::write_csv(files, "table1.csv", table);
+      table.row(cell.ccn, cell.type, state, cell.states);
+  files.write("table1.csv", table.text());
   drawn(cells).draw(
       files, context.figure(
                  "table1", 1120, 610, "The gait states of six legs, modulo rotations of the ring",

@@ -139,15 +139,13 @@ const std::vector<Table2Row>& table2_printed() {
 
 Outcome table2(const ExperimentContext& context, figures::StagedFiles& files) {
   const std::vector<Table2Row> rows = table2_rows(6, 3);
-  figures::Table table{{"row", "state", "ground", "type", "ccn", "event", "as_printed"}, {}};
+  figures::Csv table("row,state,ground,type,ccn,event,as_printed");
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const bool agrees = rows[k] == table2_printed()[k];
-    table.rows.push_back({std::to_string(k + 1), rows[k].state, rows[k].ground,
-                          std::string(1, rows[k].type),
-                          std::to_string(std::ranges::count(rows[k].state, '<')), rows[k].event,
-                          agrees ? "yes" : "no"});
+    table.row(k + 1, rows[k].state, rows[k].ground, rows[k].type,
+              std::ranges::count(rows[k].state, '<'), rows[k].event, agrees ? "yes" : "no");
   }
-  figures::write_csv(files, "table2.csv", table);
+  files.write("table2.csv", table.text());
   drawn(rows).draw(
       files, context.figure("table2", 1070, 850, "From a gait state of type B on, event by event",
                             "a … f: the legs along the ring · filled: on the ground · open: in the "

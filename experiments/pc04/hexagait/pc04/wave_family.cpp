@@ -24,10 +24,11 @@ constexpr double kJudged = 10.51;  // of that, the last part is judged: two peri
 
 using Segment = WaveSegment;
 
-std::vector<Segment> segments() {
+std::vector<Segment> segments(bool short_form) {
   std::vector<Segment> all = {{1.0 / 2.0, "1/2"}, {5.0 / 8.0, "5/8"}, {2.0 / 3.0, "2/3"},
                               {3.0 / 4.0, "3/4"}, {5.0 / 6.0, "5/6"}, {3.0 / 4.0, "3/4"},
                               {2.0 / 3.0, "2/3"}, {5.0 / 8.0, "5/8"}, {1.0 / 2.0, "1/2"}};
+  if (short_form) all = {all[0], all[3], all[0]};
   for (std::size_t k = 0; k < all.size(); ++k) {
     all[k].from = kHold * static_cast<double>(k);
     all[k].to = all[k].from + kHold;
@@ -98,8 +99,8 @@ void measure(Segment& segment, const recording::Recording& recording) {
 
 // What each part was found to be; and the duty factor of every single step: from its lift to the
 // leg's next.
-void write_duty_factors(figures::StagedFiles& files, const std::vector<Segment>& segments,
-                        const recording::Recording& recording) {
+void write_tables(figures::StagedFiles& files, const std::vector<Segment>& segments,
+                  const recording::Recording& recording, const RobotModel& robot) {
   figures::Csv parts(
       "from_s,to_s,duty_factor,name,measured_mean,measured_least,measured_greatest,period_s,"
       "step_time_s,phase_error,speed_m_s,speed_by_law_m_s");
@@ -114,21 +115,18 @@ void write_duty_factors(figures::StagedFiles& files, const std::vector<Segment>&
     if (next == steps.end() || std::isnan(step->land)) continue;
     duty.row(step->leg, step->lift, 1.0 - (step->land - step->lift) / (next->lift - step->lift));
   }
-  files.write("wave_family-segments.csv", parts.text());
-  files.write("wave_family-duty.csv", duty.text());
+  figures::write_tables(files, "wave_family",
+                        {{"segments", parts},
+                         {"duty", duty},
+                         {"steps", recording.steps_table(robot)},
+                         {"gait", recording.gait_table()}});
 }
 
 void draw(figures::StagedFiles& files, const ExperimentContext& context,
           const std::vector<Segment>& segments, const recording::Recording& recording) {
   constexpr double kWindow = 7.0;  // of the panels at the bottom [s]
   const RobotModel& robot = *context.robot;
-  write_duty_factors(files, segments, recording);
-  std::ofstream steps = files.create("wave_family-steps.csv");
-  recording.write_steps(steps, robot);
-  std::ofstream gait = files.create("wave_family-gait.csv");
-  recording.write_gait(gait);
-  steps.close();
-  gait.close();
+  write_tables(files, segments, recording, robot);
 
   std::vector<double> begins;
   std::vector<std::string> titles, notes;
@@ -160,7 +158,7 @@ void draw(figures::StagedFiles& files, const ExperimentContext& context,
 }  // namespace
 
 Outcome wave_family(const ExperimentContext& context, figures::StagedFiles& files) {
-  std::vector<Segment> parts = segments();
+  std::vector<Segment> parts = segments(context.short_form);
   recording::Simulation simulation;
   simulation.gait.stepper = {.stepping = gait_state::Stepping::wave, .duty_factor = 0.5};
   simulation.trial.schedule = schedule(parts);
@@ -170,7 +168,7 @@ Outcome wave_family(const ExperimentContext& context, figures::StagedFiles& file
   for (Segment& segment : parts) measure(segment, recording);
   draw(files, context, parts, recording);
   return {.walk = recording::WalkReport{context.robot->name, simulation, summary},
-          .verdicts = judge_wave_family(parts, summary)};
+          .verdicts = judged_in_full_only(judge_wave_family(parts, summary), context.short_form)};
 }
 
 }  // namespace hexagait::experiments

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <hexagait/recording/json.hpp>
+#include <hexagait/recording/provenance.hpp>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -32,6 +33,9 @@ template <class T>
 [[nodiscard]] Json results(const WalkReport& report);
 [[nodiscard]] Json results(const walk::Summary& summary);
 [[nodiscard]] Json timing(const walk::Summary& summary);
+
+/// version, revision, compiler, libraries, and where there are any: robots, physics, controller.
+[[nodiscard]] Json json(const Provenance& provenance);
 
 [[nodiscard]] inline std::string hex(std::uint64_t value) { return fmt::format("{:016x}", value); }
 

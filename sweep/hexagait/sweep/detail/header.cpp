@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <hexagait/recording/detail/provenance_json.hpp>
+#include <hexagait/recording/detail/walk_json.hpp>
 #include <hexagait/sweep/detail/header.hpp>
 #include <hexagait/text/invalid_input.hpp>
 #include <nlohmann/json.hpp>
