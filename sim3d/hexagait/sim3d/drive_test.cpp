@@ -123,10 +123,11 @@ TEST_F(Drive, ARotorAddsItsInertia) {
 // Behind a ramp of speed v it stays by v T; without lag by nothing.
 TEST_F(Drive, ALaggingServoStaysBehindByItsTimeConstant) {
   constexpr double kSpeed = 0.5;
-  const auto ramp = [](double t) {
-    return JointTargets{all(kYaw, kSpeed * t), all(kYaw, kSpeed), kZero};
+  constexpr double kPeriod = 0.002;
+  const auto ramp = [](double t) {  // the target of the end of the period
+    return JointTargets{all(kYaw, kSpeed * (t + kPeriod)), all(kYaw, kSpeed), kZero};
   };
-  const auto behind = [&] { return kSpeed * 400 * 0.002 - run(ramp, 400).back()[kYaw]; };
+  const auto behind = [&] { return kSpeed * 400 * kPeriod - run(ramp, 400).back()[kYaw]; };
   EXPECT_NEAR(behind(), 0.0, 5e-4);
   params_.servo_lag = 0.04;
   EXPECT_NEAR(behind(), 0.04 * kSpeed, 5e-4);
