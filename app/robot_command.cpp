@@ -21,7 +21,7 @@ constexpr double kAir = 1.2, kLead = 11340.0;  // [kg/m³]
 void warn_of_units(const RobotModel& robot) {
   double reach = 0.0;
   for (const LegModel& leg : robot.legs) reach = std::max(reach, leg.max_reach);
-  const double density = robot.mass / std::pow(reach, 3.0);
+  const double density = robot.mass / (reach * reach * reach);
   const char* wrong = density < kAir    ? "lengths in millimetres, or masses too small?"
                       : density > kLead ? "lengths too short, or masses in grams?"
                                         : nullptr;

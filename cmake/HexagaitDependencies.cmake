@@ -9,6 +9,7 @@ set(hexagait_foreign_libraries
     "yaml-cpp|find_dependency(yaml-cpp)|yaml-cpp|libyaml-cpp-dev"
     "box2d::box2d|find_dependency(box2d)|box2d|libbox2d-dev"
     "PkgConfig::urdfdom|hexagait_find_by_pkg_config(urdfdom)|urdfdom|liburdfdom-dev"
+    "PkgConfig::tinyxml|hexagait_find_by_pkg_config(tinyxml)|tinyxml|libtinyxml-dev"
     "PkgConfig::ode|hexagait_find_by_pkg_config(ode)|ode|libode-dev")
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
@@ -26,6 +27,7 @@ if(HEXAGAIT_URDF OR HEXAGAIT_SIM3D)
 endif()
 if(HEXAGAIT_URDF)
   pkg_check_modules(urdfdom REQUIRED IMPORTED_TARGET urdfdom)
+  pkg_check_modules(tinyxml REQUIRED IMPORTED_TARGET tinyxml)  # what urdfdom reads XML with
 endif()
 if(HEXAGAIT_SIM3D)
   pkg_check_modules(ode REQUIRED IMPORTED_TARGET ode)

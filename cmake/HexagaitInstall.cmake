@@ -58,7 +58,7 @@ Version: @PROJECT_VERSION@
 Requires: @requires@
 Requires.private: @requires_private@
 Libs: -L${libdir}@libraries@
-Cflags: -I${includedir}
+Cflags: -I${includedir} -ffp-contract=off
 ]])
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/hexagait-${component}.pc
           DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

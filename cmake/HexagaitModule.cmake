@@ -5,8 +5,9 @@
 # it links to, and headers are spelt the same in the tree and when installed. COMPONENT is the one of
 # find_package(hexagait COMPONENTS …) that brings it; what lies in detail/ is not installed.
 
-# Warnings, and no fused multiply-add: the same bits from every optimisation level that keeps IEEE
-# arithmetic. For our own targets only: neither is handed on to users.
+# Warnings, for our own targets only; and no fused multiply-add: the same bits from every processor and
+# every optimisation level that keeps IEEE arithmetic. Those who link to us get this as well, from the
+# room math: inline functions of our headers are compiled in their sources too.
 function(hexagait_options target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -ffp-contract=off
                          $<$<BOOL:${HEXAGAIT_WERROR}>:-Werror>)

@@ -5,6 +5,7 @@
 #include <hexagait/executor/check_params.hpp>
 #include <hexagait/footstep_gen/detail/rear_edge.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
+#include <hexagait/math/trigonometry.hpp>
 #include <utility>
 
 namespace hexagait::footstep_gen {
@@ -121,7 +122,8 @@ void Walker::steer(const heading_control::Heading& heading) noexcept {
     tracker_.follow(record_.arc.per_metre);
   }
   const Pose& X_OB = record_.state.X_OB;
-  record_.deviation = tracker_.update({std::atan2(X_OB.R(1, 0), X_OB.R(0, 0)), X_OB.p.head<2>()});
+  record_.deviation =
+      tracker_.update({portable::atan2(X_OB.R(1, 0), X_OB.R(0, 0)), X_OB.p.head<2>()});
 }
 
 void Walker::decide() noexcept {

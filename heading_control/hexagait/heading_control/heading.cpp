@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 #include <hexagait/heading_control/heading.hpp>
+#include <hexagait/math/trigonometry.hpp>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -28,18 +29,18 @@ Heading Heading::arc(double r, double alpha) {
     throw std::invalid_argument(
         "heading: radius 0 does not say which way to turn; use spin ccw or spin cw");
   if (std::isinf(r)) return {1.0, 0.0, wrap_angle(alpha)};
-  const double size = std::hypot(r, 1.0);
+  const double size = portable::hypot(r, 1.0);
   return {std::abs(r) / size, std::copysign(1.0, r) / size, wrap_angle(alpha)};
 }
 
 Heading Heading::spin(Turn turn) noexcept { return {0.0, turn == Turn::ccw ? 1.0 : -1.0, 0.0}; }
 
 Heading Heading::along(const Vector2& v, double w) noexcept {
-  const double speed = std::hypot(v.x(), v.y());
-  const double size = std::hypot(speed, w);
+  const double speed = portable::hypot(v.x(), v.y());
+  const double size = portable::hypot(speed, w);
   if (!std::isfinite(size) || size == 0.0) return stop();
   if (speed == 0.0) return spin(w > 0.0 ? Turn::ccw : Turn::cw);
-  return {speed / size, w / size, std::atan2(v.y(), v.x())};
+  return {speed / size, w / size, portable::atan2(v.y(), v.x())};
 }
 
 Heading Heading::stopped() const noexcept {

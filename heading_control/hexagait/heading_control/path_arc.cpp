@@ -19,7 +19,7 @@ Workspaces workspaces(const RobotModel& robot) noexcept {
 PathArc path_arc(const Heading& heading, const Workspaces& workspaces) noexcept {
   const int n = workspaces.p_BC.size();
   const double k = heading.k(), rho = heading.rho(), alpha = heading.crab_angle();
-  const PlanarTwist unit{rho * Vector2(std::cos(alpha), std::sin(alpha)), k};
+  const PlanarTwist unit{rho * unit_vector(alpha), k};
   PathArc arc{
       heading, workspaces.p_BC, unit, LegArray<Vector2>(n, Vector2::Zero()), LegArray<double>(n),
       0};

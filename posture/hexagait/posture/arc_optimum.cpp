@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
+#include <hexagait/math/trigonometry.hpp>
 #include <hexagait/posture/arc_optimum.hpp>
 #include <numbers>
 
@@ -33,13 +34,13 @@ Sums sums(const LegArray<Vector3>& p_BF, const LegArray<Vector3>& p_BC, LegSet s
 // 2 atan(w q) / w. Below 1e-4 the series has a relative error of less than 1e-16.
 double path_length(double q, double w) {
   const double x = w * q;
-  return std::abs(x) < 1e-4 ? 2.0 * q * (1.0 - x * x / 3.0) : 2.0 * std::atan(x) / w;
+  return std::abs(x) < 1e-4 ? 2.0 * q * (1.0 - x * x / 3.0) : 2.0 * portable::atan(x) / w;
 }
 
 // The minimum of |f| where f has no zero: the extremum of f on the side of the airborne legs.
 double extremum(const Sums& sums, double w) {
   const double quarter = std::copysign(0.5 * std::numbers::pi, w * sums.lag_A);
-  return wrap_angle(-quarter - std::atan2(w * sums.lag_S, sums.D)) / w;
+  return wrap_angle(-quarter - portable::atan2(w * sums.lag_S, sums.D)) / w;
 }
 
 }  // namespace
@@ -58,7 +59,7 @@ ArcOptimum arc_optimum(const LegArray<Vector3>& p_BF, const LegArray<Vector3>& p
   // Both quotients are tan(θ/2); each is used where its sum does not cancel. D < 0 (feet on the far
   // side of the turning centre) implies w ≠ 0.
   if (s.D >= 0.0) return {path_length(-(s.lag_S + s.lag_A) / (s.D + root), w), found};
-  return {wrap_angle(2.0 * std::atan2(root - s.D, w * (s.lag_A - s.lag_S))) / w, found};
+  return {wrap_angle(2.0 * portable::atan2(root - s.D, w * (s.lag_A - s.lag_S))) / w, found};
 }
 
 }  // namespace hexagait::posture

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
+#include <hexagait/math/trigonometry.hpp>
 #include <hexagait/posture/plane_fit.hpp>
 
 namespace hexagait::posture {
@@ -38,7 +39,7 @@ struct Slope {
 Slope slope(const Moments& m) {
   constexpr double kOnALine = 1e-4;  // ratio of the principal moments, (1/100)²
   const double half_trace = 0.5 * (m.xx + m.yy);
-  const double largest = half_trace + std::hypot(0.5 * (m.xx - m.yy), m.xy);
+  const double largest = half_trace + portable::hypot(0.5 * (m.xx - m.yy), m.xy);
   if (largest == 0.0) return {};
   const double determinant = m.xx * m.yy - m.xy * m.xy;  // = largest · smallest
   if (determinant > kOnALine * largest * largest)

@@ -96,7 +96,7 @@ figures::Csv Recording::gait_table() const {
 
 double ahead(const Recording::Sample& sample, const Vector3& p_W) {
   const Vector2 from_base = (p_W - sample.X_WB.p).head<2>();
-  return from_base.dot(Vector2(std::cos(sample.direction), std::sin(sample.direction)));
+  return from_base.dot(unit_vector(sample.direction));
 }
 
 int gait_row(LegId leg, int num_legs) { return leg % 2 == 0 ? leg / 2 : num_legs / 2 + leg / 2; }

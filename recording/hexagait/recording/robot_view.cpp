@@ -138,7 +138,7 @@ Csv RobotView::profile() const {
   }
   Csv csv("along_m,left_m,right_m");
   const auto add = [&](const Sample& sample, double further) {
-    const Vector2 forward(std::cos(sample.direction), std::sin(sample.direction));
+    const Vector2 forward = unit_vector(sample.direction);
     const auto height = [&](double aside) {
       const Vector2 p =
           sample.X_WB.p.head<2>() + further * forward + aside * perpendicular(forward);

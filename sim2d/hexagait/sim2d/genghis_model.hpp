@@ -7,6 +7,7 @@
 #include <cmath>
 #include <hexagait/math/geometry.hpp>
 #include <hexagait/math/leg.hpp>
+#include <hexagait/math/trigonometry.hpp>
 #include <hexagait/sim2d/terrain2d.hpp>
 
 /// Genghis II seen from its left ([PC04] 5, Fig. 5): x forward, z up, pitch positive nose up.
@@ -72,17 +73,17 @@ inline constexpr int kGenghisLegs = 6;
 /// Foot centre in the body frame [m].
 [[nodiscard]] inline Vector2 foot_position(const GenghisModel& model, LegId leg,
                                            const GenghisJoints& q) {
-  return hip(model, leg) + Vector2(model.leg_length * std::sin(q.swing),
-                                   q.lift - model.leg_length * std::cos(q.swing));
+  return hip(model, leg) + Vector2(model.leg_length * portable::sin(q.swing),
+                                   q.lift - model.leg_length * portable::cos(q.swing));
 }
 
 /// The joints for a foot at p [m], each within its limits: out of reach, the nearest of them.
 [[nodiscard]] inline GenghisJoints joints_for(const GenghisModel& model, LegId leg,
                                               const Vector2& p) {
   const Vector2 from_hip = p - hip(model, leg);
-  const double reach = model.leg_length * std::sin(model.max_swing);
-  const double swing = std::asin(std::clamp(from_hip.x(), -reach, reach) / model.leg_length);
-  const double lift = from_hip.y() + model.leg_length * std::cos(swing);
+  const double reach = model.leg_length * portable::sin(model.max_swing);
+  const double swing = portable::asin(std::clamp(from_hip.x(), -reach, reach) / model.leg_length);
+  const double lift = from_hip.y() + model.leg_length * portable::cos(swing);
   return {swing, std::clamp(lift, 0.0, model.max_lift)};
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <hexagait/sim2d/detail/box2d_trigonometry.hpp>
 #include <hexagait/sim2d/detail/ground_chains.hpp>
 #include <hexagait/sim2d/genghis_world.hpp>
 #include <hexagait/text/violations.hpp>
@@ -203,8 +204,7 @@ class GenghisWorld::Impl {
   void observe() {
     pitch_ = static_cast<double>(body_->GetAngle());
     // Nose up is a negative turn about y.
-    truth_.X_WB = {Eigen::AngleAxisd(-pitch_, Vector3::UnitY()).toRotationMatrix(),
-                   in_space(metres(body_->GetPosition()), 0.0)};
+    truth_.X_WB = {rotation({0.0, -pitch_, 0.0}), in_space(metres(body_->GetPosition()), 0.0)};
     truth_.V_WB.v = truth_.X_WB.R.transpose() * in_space(metres(body_->GetLinearVelocity()), 0.0);
     truth_.V_WB.w = {0.0, -static_cast<double>(body_->GetAngularVelocity()), 0.0};
     truth_.finite = truth_.X_WB.p.allFinite() && std::isfinite(pitch_);
@@ -264,7 +264,9 @@ class GenghisWorld::Impl {
 
 GenghisWorld::GenghisWorld(const GenghisModel& model, const TerrainSpec2d& terrain,
                            const GenghisWorldParams& params, const LegArray<GenghisJoints>& q)
-    : impl_(std::make_unique<Impl>(model, terrain, params, q)) {}
+    : impl_(std::make_unique<Impl>(model, terrain, params, q)) {
+  detail::link_portable_trigonometry();
+}
 GenghisWorld::~GenghisWorld() = default;
 GenghisWorld::GenghisWorld(GenghisWorld&&) noexcept = default;
 GenghisWorld& GenghisWorld::operator=(GenghisWorld&&) noexcept = default;

@@ -25,8 +25,9 @@ Difference unpaired_difference(std::span<const double> a, std::span<const double
 
 Difference difference(const Proportion& a, const Proportion& b) {
   const double value = a.share() - b.share();
-  return {value, value - std::hypot(a.share() - a.lower, b.upper - b.share()),
-          value + std::hypot(a.upper - a.share(), b.share() - b.lower)};
+  const auto distance = [](double x, double y) { return std::sqrt(x * x + y * y); };
+  return {value, value - distance(a.share() - a.lower, b.upper - b.share()),
+          value + distance(a.upper - a.share(), b.share() - b.lower)};
 }
 
 }  // namespace hexagait::statistics

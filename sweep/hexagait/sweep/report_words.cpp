@@ -71,11 +71,14 @@ std::string with_error(double value, double half_width) {
   if (!std::isfinite(half_width)) return fmt::format("{:.3g}", value);
   if (half_width < 1e-9 * std::abs(value) || half_width == 0.0)
     return fmt::format("{:.5g} ± 0", value);
-  const double magnitude = std::floor(std::log10(half_width));
-  const bool is_one = half_width / std::pow(10.0, magnitude) < 2.0;
-  const int decimals = static_cast<int>(is_one ? 1.0 - magnitude : -magnitude);
+  double first_digit = half_width;
+  int decimals = 0;
+  for (; first_digit >= 10.0; first_digit /= 10.0) --decimals;
+  for (; first_digit < 1.0; first_digit *= 10.0) ++decimals;
+  if (first_digit < 2.0) ++decimals;
   if (decimals >= 0) return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, half_width, decimals);
-  const double unit = std::pow(10.0, -decimals);
+  double unit = 1.0;
+  for (int k = decimals; k < 0; ++k) unit *= 10.0;
   return fmt::format("{:.0f} ± {:.0f}", std::round(value / unit) * unit,
                      std::round(half_width / unit) * unit);
 }

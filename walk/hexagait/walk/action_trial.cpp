@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <hexagait/balance/support_polygon.hpp>
+#include <hexagait/math/trigonometry.hpp>
 #include <hexagait/walk/action_trial.hpp>
 #include <hexagait/walk/detail/state_hash.hpp>
 #include <hexagait/walk/referee.hpp>
@@ -81,7 +82,7 @@ class ActionReferee {
     const double lean = X_WD.R.col(2).cross(truth.X_WB.R.col(2)).norm();
     summary_.off_plan_height = std::max(summary_.off_plan_height, std::abs(off.z()));
     summary_.off_plan_sideways = std::max(summary_.off_plan_sideways, off.head<2>().norm());
-    summary_.off_plan_tilt = std::max(summary_.off_plan_tilt, std::asin(std::min(1.0, lean)));
+    summary_.off_plan_tilt = std::max(summary_.off_plan_tilt, portable::asin(std::min(1.0, lean)));
   }
 
   void watch_motion(const GroundTruth& truth) {

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
+#include <hexagait/math/trigonometry.hpp>
 #include <hexagait/walk/reference_path.hpp>
 
 namespace hexagait::walk {
 namespace {
-
-Vector2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 // Below this curvature an arc is a line: they differ by less than 1 µm in 40 m [1/m].
 constexpr double kStraight = 1e-9;
@@ -38,19 +37,20 @@ ReferencePath::Deviation ReferencePath::deviation(const PlanarPose& X_WB) {
 
   const double direction = start_.angle + crab_;
   if (std::abs(curvature_) < kStraight) {
-    const double progress = from_start.dot(unit(direction));
-    ideal_ = {start_.angle, start_.shift + progress * unit(direction)};
-    return {cross(unit(direction), from_start), turned, progress, turned};
+    const double progress = from_start.dot(unit_vector(direction));
+    ideal_ = {start_.angle, start_.shift + progress * unit_vector(direction)};
+    return {cross(unit_vector(direction), from_start), turned, progress, turned};
   }
 
   // A circle about a centre to the left (curvature > 0) or right of the direction of motion.
   const double radius = 1.0 / curvature_;
-  const Vector2 centre = start_.shift + radius * perpendicular(unit(direction));
+  const Vector2 centre = start_.shift + radius * perpendicular(unit_vector(direction));
   const Vector2 arm = X_WB.shift - centre;
   const double side = std::copysign(1.0, radius);
-  const double angle = std::atan2(arm.y(), arm.x()) - (direction - side * std::numbers::pi / 2.0);
+  const double at = portable::atan2(arm.y(), arm.x());
+  const double angle = at - (direction - side * std::numbers::pi / 2.0);
   angle_ += wrap_angle(angle - angle_);
-  ideal_ = {start_.angle + angle_, centre + std::abs(radius) * unit(std::atan2(arm.y(), arm.x()))};
+  ideal_ = {start_.angle + angle_, centre + std::abs(radius) * unit_vector(at)};
   return {side * (std::abs(radius) - arm.norm()), wrap_angle(X_WB.angle - ideal_.angle),
           side * angle_ * std::abs(radius), turned};
 }

@@ -88,7 +88,8 @@ LegArray<LegJoints> random_posture(const RobotModel& model, double spread, std::
   for (LegId i = 0; i < model.num_legs(); ++i) {
     const double radius = spread * std::sqrt(random.u01());
     const double angle = random.uniform(-std::numbers::pi, std::numbers::pi);
-    const Vector3 offset(radius * std::cos(angle), radius * std::sin(angle), 0.0);
+    Vector3 offset = Vector3::Zero();
+    offset.head<2>() = radius * unit_vector(angle);
     q[i] = inverse_kinematics(model.legs[i], model.legs[i].p_BC + offset).q;
   }
   return q;

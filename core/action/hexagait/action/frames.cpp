@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <hexagait/action/frames.hpp>
+#include <hexagait/math/trigonometry.hpp>
 #include <hexagait/text/invalid_input.hpp>
 
 namespace hexagait {
@@ -12,7 +13,7 @@ Pose footprint(const RobotState& state) {
   Vector3 centre = Vector3::Zero();
   for (const Vector3& print : state.print_O) centre += print;
   const Matrix3& R = state.X_OB.R;
-  return {rotation_z(std::atan2(R(1, 0), R(0, 0))), centre / state.print_O.size()};
+  return {rotation_z(portable::atan2(R(1, 0), R(0, 0))), centre / state.print_O.size()};
 }
 
 // Poses of the built-in frames.

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 #include <hexagait/action/step_frames.hpp>
+#include <hexagait/math/trigonometry.hpp>
 
 namespace hexagait {
 namespace {
 
-Pose upright(const Pose& X) { return {rotation_z(std::atan2(X.R(1, 0), X.R(0, 0))), X.p}; }
+Pose upright(const Pose& X) { return {rotation_z(portable::atan2(X.R(1, 0), X.R(0, 0))), X.p}; }
 
 }  // namespace
 

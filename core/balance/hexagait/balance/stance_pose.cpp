@@ -5,6 +5,7 @@
 #include <hexagait/balance/stance_pose.hpp>
 #include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/math/quadratic_program.hpp>
+#include <hexagait/math/trigonometry.hpp>
 #include <hexagait/model/kinematics.hpp>
 
 namespace hexagait {
@@ -57,13 +58,13 @@ Stance stance_of(const RobotModel& model, const StanceProblem& problem) {
   return stance;
 }
 
-double yaw_of(const Matrix3& R) { return std::atan2(R(1, 0), R(0, 0)); }
+double yaw_of(const Matrix3& R) { return portable::atan2(R(1, 0), R(0, 0)); }
 
 // Limits the tilt to kMaxTilt.
 Matrix3 upright(const Matrix3& R) {
   const Vector3 z = R.col(2);
-  if (z.z() >= std::cos(kMaxTilt)) return R;
-  const double s = std::hypot(z.x(), z.y()), tilt = std::atan2(s, z.z());
+  if (z.z() >= portable::cos(kMaxTilt)) return R;
+  const double s = portable::hypot(z.x(), z.y()), tilt = portable::atan2(s, z.z());
   const Vector3 axis = s > 0.0 ? Vector3(z.y() / s, -z.x() / s, 0.0) : Vector3::UnitX();
   return orthonormalised(rotation(axis * (tilt - kMaxTilt)) * R);
 }
@@ -86,7 +87,7 @@ Iterate level_guess(const Stance& stance, const Pose& X_OB, LegSet given_up) {
     size += n.squaredNorm() + f.squaredNorm();
   });
   const bool open = std::abs(along) + std::abs(across) <= 1e-9 * size;
-  const Matrix3 R = rotation_z(open ? yaw_of(X_OB.R) : std::atan2(across, along));
+  const Matrix3 R = rotation_z(open ? yaw_of(X_OB.R) : portable::atan2(across, along));
   return {mean_F - R * mean_N, R};
 }
 
@@ -168,7 +169,7 @@ void add_stability(Rows& rows, const Stance& stance, const Iterate& at) {
   }
   const Vector3 up_B = at.R.row(2);
   const double s = std::sqrt(up_B.x() * up_B.x() + up_B.y() * up_B.y()),
-               slack = std::sin(kMaxTilt) - s;
+               slack = portable::sin(kMaxTilt) - s;
   if (slack > 0.3 || s == 0.0) return;
   const Vector3 lean_B(up_B.x() / s, up_B.y() / s, 0.0);
   rows.add((Vector6() << Vector3::Zero(), lean_B.cross(up_B)).finished(), slack, -1);

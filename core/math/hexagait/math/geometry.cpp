@@ -1,23 +1,31 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <hexagait/math/geometry.hpp>
+#include <hexagait/math/trigonometry.hpp>
 
 namespace hexagait {
 
+// With the half angle nothing cancels: R = 1 + 2 cos sin [a]× + 2 sin² [a]× [a]×, a = w/|w|.
 Matrix3 rotation(const Vector3& w) {
   const double angle = w.norm();
   if (angle == 0.0) return Matrix3::Identity();
-  return Eigen::AngleAxisd(angle, w / angle).toRotationMatrix();
+  const auto [s, c] = portable::sincos(0.5 * angle);
+  const Vector3 v = (s / angle) * w;
+  return Eigen::Quaterniond(c, v.x(), v.y(), v.z()).toRotationMatrix();
 }
 
 Vector3 rotation_vector(const Matrix3& R) {
-  const Eigen::AngleAxisd angle_axis(R);
-  return angle_axis.angle() * angle_axis.axis();
+  const Eigen::Quaterniond half(R);
+  const double s = half.vec().norm();
+  if (s == 0.0) return Vector3::Zero();
+  const double angle = 2.0 * portable::atan2(s, std::abs(half.w()));
+  return (half.w() < 0.0 ? -angle / s : angle / s) * half.vec();
 }
 
 Vector3 roll_pitch_yaw(const Matrix3& R) {
-  return {std::atan2(R(2, 1), R(2, 2)), std::atan2(-R(2, 0), std::hypot(R(2, 1), R(2, 2))),
-          std::atan2(R(1, 0), R(0, 0))};
+  return {portable::atan2(R(2, 1), R(2, 2)),
+          portable::atan2(-R(2, 0), portable::hypot(R(2, 1), R(2, 2))),
+          portable::atan2(R(1, 0), R(0, 0))};
 }
 
 Matrix3 orthonormalised(const Matrix3& R) {

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cmath>
+#include <hexagait/math/trigonometry.hpp>
 #include <numbers>
 
 namespace hexagait {
@@ -34,12 +35,19 @@ struct Twist {
 
 /// Wraps an angle into (−π, π] [rad].
 [[nodiscard]] inline double wrap_angle(double angle) {
+  if (std::abs(angle) <= std::numbers::pi) return angle;
   return std::remainder(angle, 2.0 * std::numbers::pi);
+}
+
+/// The unit vector at `angle` [rad] from x.
+[[nodiscard]] inline Vector2 unit_vector(double angle) {
+  const auto [s, c] = portable::sincos(angle);
+  return {c, s};
 }
 
 /// Rotation by `angle` [rad] about z.
 [[nodiscard]] inline Matrix3 rotation_z(double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
+  const auto [s, c] = portable::sincos(angle);
   return (Matrix3() << c, -s, 0, s, c, 0, 0, 0, 1).finished();
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <hexagait/math/geometry.hpp>
+#include <hexagait/math/trigonometry.hpp>
 
 namespace hexagait {
 
@@ -19,7 +20,7 @@ struct PlanarPose {
   Vector2 shift = Vector2::Zero();  ///< [m]
 
   friend PlanarPose operator*(const PlanarPose& a, const PlanarPose& b) {
-    const double c = std::cos(a.angle), s = std::sin(a.angle);
+    const auto [s, c] = portable::sincos(a.angle);
     return {a.angle + b.angle, a.shift + Vector2(c * b.shift.x() - s * b.shift.y(),
                                                  s * b.shift.x() + c * b.shift.y())};
   }
@@ -27,7 +28,7 @@ struct PlanarPose {
     return (a * PlanarPose{0.0, p}).shift;
   }
   [[nodiscard]] PlanarPose inverse() const {
-    const double c = std::cos(angle), s = std::sin(angle);
+    const auto [s, c] = portable::sincos(angle);
     return {-angle, {-c * shift.x() - s * shift.y(), s * shift.x() - c * shift.y()}};
   }
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <hexagait/math/quadratic_program.hpp>
+#include <hexagait/math/trigonometry.hpp>
 #include <limits>
 
 namespace hexagait {
@@ -181,7 +182,7 @@ class DualActiveSet {
       out_.multiplier[at(j)] = out_.multiplier[at(j + 1)];
     }
     for (int j = k; j < q; ++j) {
-      const double radius = std::hypot(R_(j, j), R_(j + 1, j));
+      const double radius = portable::hypot(R_(j, j), R_(j + 1, j));
       const double c = R_(j, j) / radius, s = R_(j + 1, j) / radius;
       for (int i = j; i < q; ++i) {
         const double upper = R_(j, i), lower = R_(j + 1, i);

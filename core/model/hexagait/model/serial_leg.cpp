@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <hexagait/math/trigonometry.hpp>
 #include <hexagait/model/serial_leg.hpp>
 
 namespace hexagait {
@@ -160,8 +161,9 @@ Vector3 within_reach(const LegModel& leg, const Vector3& p_BF) {
 LegTrig SerialLeg::leg_trig(const LegModel& leg, const LegJoints& q) noexcept {
   LegTrig trig;
   for (int i = 0; i < leg.num_joints(); ++i) {
-    trig.c[i] = std::cos(q[i]);
-    trig.s[i] = std::sin(q[i]);
+    const auto [s, c] = portable::sincos(q[i]);
+    trig.c[i] = c;
+    trig.s[i] = s;
   }
   return trig;
 }

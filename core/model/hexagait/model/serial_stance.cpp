@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <hexagait/math/trigonometry.hpp>
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/model/serial_stance.hpp>
 #include <limits>
@@ -47,9 +48,9 @@ std::vector<LegJoints> postures(const LegModel& leg, int levels, int first = 0) 
 /// middle of the limits; a limit if the maximum lies outside.
 double best_angle(const JointLimits& limits, double b, double c, double sign) {
   const double middle = 0.5 * (limits.lower + limits.upper);
-  const double top = middle + wrap_angle(std::atan2(sign * c, sign * b) - middle);
+  const double top = middle + wrap_angle(portable::atan2(sign * c, sign * b) - middle);
   if (limits.lower <= top && top <= limits.upper) return top;
-  const auto value = [&](double q) { return sign * (b * std::cos(q) + c * std::sin(q)); };
+  const auto value = [&](double q) { return sign * Vector2(b, c).dot(unit_vector(q)); };
   return value(limits.lower) > value(limits.upper) ? limits.lower : limits.upper;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <hexagait/math/trigonometry.hpp>
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/model/serial_stance.hpp>
 #include <hexagait/model/workspace.hpp>
@@ -12,7 +13,7 @@ constexpr double kLargestRadius = 1.0 / 3.0;  // of femur + tibia
 
 double hip_to_foot(const LegModel& leg, double knee) {
   const double f = leg.femur, t = leg.tibia;
-  return std::sqrt(f * f + t * t + 2.0 * f * t * std::cos(knee));
+  return std::sqrt(f * f + t * t + 2.0 * f * t * portable::cos(knee));
 }
 
 /// Distance that the foot can move from p_BC along a direction, at most `farthest` [m].
@@ -70,7 +71,8 @@ double reachable_radius(const LegModel& leg) {
   double radius = kLargestRadius * (serial ? lengths.upper + lengths.rest : leg.femur + leg.tibia);
   for (int k = 0; k < directions; ++k) {
     const double angle = 2.0 * std::numbers::pi * k / directions;
-    const Vector3 direction_H(std::cos(angle), std::sin(angle), 0.0);
+    Vector3 direction_H = Vector3::Zero();
+    direction_H.head<2>() = unit_vector(angle);
     radius = std::min(radius, reach_along(leg, leg.X_BH.R * direction_H, radius));
   }
   return radius;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <hexagait/math/trigonometry.hpp>
 #include <hexagait/model/yaw_pitch_pitch.hpp>
 
 namespace hexagait {
@@ -35,15 +36,15 @@ LegPlane leg_plane(const LegModel& leg, double x, double y) {
   const double r = std::sqrt(x * x + y * y);
   const bool on_axis = r < kOnAxis;
   const double c = on_axis ? 1.0 : x / r, s = on_axis ? 0.0 : y / r;
-  const double q = joint_value(leg, 0, on_axis ? 0.0 : std::atan2(y, x));
+  const double q = joint_value(leg, 0, on_axis ? 0.0 : portable::atan2(y, x));
   if (within(leg.limits[0], q)) return {q, c, s, r, true};
 
-  const double q_back = joint_value(leg, 0, std::atan2(-s, -c));
+  const double q_back = joint_value(leg, 0, portable::atan2(-s, -c));
   if (within(leg.limits[0], q_back)) return {q_back, -c, -s, -r, true};
 
   const double q_limit = std::clamp(q, leg.limits[0].lower, leg.limits[0].upper);
   const double k = canonical(leg, 0, q_limit);
-  const double c1 = std::cos(k), s1 = std::sin(k);
+  const auto [s1, c1] = portable::sincos(k);
   return {q_limit, c1, s1, x * c1 + y * s1, on_axis};
 }
 
@@ -67,8 +68,10 @@ LegTrig YawPitchPitchLeg::leg_trig(const LegModel& leg, const LegJoints& q) noex
   const double k1 = canonical(leg, 0, q[0]), k2 = canonical(leg, 1, q[1]);
   const double k23 = k2 + canonical(leg, 2, q[2]);
   LegTrig trig;
-  trig.c.head<3>() << std::cos(k1), std::cos(k2), std::cos(k23);
-  trig.s.head<3>() << std::sin(k1), std::sin(k2), std::sin(k23);
+  const portable::SinCos yaw = portable::sincos(k1), hip = portable::sincos(k2),
+                         tibia = portable::sincos(k23);
+  trig.c.head<3>() << yaw.c, hip.c, tibia.c;
+  trig.s.head<3>() << yaw.s, hip.s, tibia.s;
   return trig;
 }
 
@@ -134,8 +137,8 @@ LegSolution YawPitchPitchLeg::inverse_kinematics(const LegModel& leg, const Vect
   const double c2 = (A * a + B * b) / (d * d), s2 = (A * b - B * a) / (d * d);
 
   LegSolution solution;
-  solution.q.head<3>() << plane.q, joint_value(leg, 1, std::atan2(s2, c2)),
-      joint_value(leg, 2, std::atan2(s3, c3));
+  solution.q.head<3>() << plane.q, joint_value(leg, 1, portable::atan2(s2, c2)),
+      joint_value(leg, 2, portable::atan2(s3, c3));
   solution.trig.c.head<3>() << plane.c, c2, c2 * c3 - s2 * s3;
   solution.trig.s.head<3>() << plane.s, s2, s2 * c3 + c2 * s3;
   solution.reachable = plane.contains_foot && std::abs(d - asked) < kRounding;

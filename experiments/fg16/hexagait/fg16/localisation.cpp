@@ -23,8 +23,8 @@ Pose JumpingLocalisation::X_OM(const ActionRecord& record, const GroundTruth& tr
 Pose JumpingLocalisation::erroneous(const Pose& X_MB) {
   const double radius = params_.shift * std::sqrt(random_.u01());
   const double angle = random_.uniform(-std::numbers::pi, std::numbers::pi);
-  const Vector3 shift(radius * std::cos(angle), radius * std::sin(angle),
-                      random_.uniform(-params_.height, params_.height));
+  const Vector2 sideways = radius * unit_vector(angle);
+  const Vector3 shift(sideways.x(), sideways.y(), random_.uniform(-params_.height, params_.height));
   const double turn = random_.uniform(-params_.turn, params_.turn);
   return {rotation_z(turn) * X_MB.R, X_MB.p + shift};
 }

@@ -98,7 +98,7 @@ void draw_types(figures::Drawing& drawing, const std::vector<Transition>& all) {
       std::vector<Vector2> loop;
       for (int k = 0; k <= 48; ++k) {
         const double angle = -2.45 + 4.9 * k / 48.0;
-        loop.push_back(a + Vector2(56.0, 0.0) + 33.0 * Vector2(std::cos(angle), std::sin(angle)));
+        loop.push_back(a + Vector2(56.0, 0.0) + 33.0 * unit_vector(angle));
       }
       drawing.arrow(loop, colour, 2.0);
       label(drawing, a + Vector2(89.0, 0.0), legs, 13.0);
@@ -120,7 +120,7 @@ Vector2 place_of(const GaitState& state) {
   const double radius = type == 'A' ? 372.0 : type == 'B' ? 178.0 : 278.0;
   const double spoke = type == 'C' ? rotation - 1 : rotation;
   const double angle = std::numbers::pi / 3.0 * spoke - std::numbers::pi / 2.0;
-  return centre + radius * Vector2(std::cos(angle), std::sin(angle));
+  return centre + radius * unit_vector(angle);
 }
 
 double bulge_of(const Transition& t) {

@@ -31,7 +31,7 @@ PostureGradient gradient(const LegArray<Vector3>& p_BF, const LegArray<Vector3>&
 double arc_gradient(const LegArray<Vector3>& p_BF, const LegArray<Vector3>& p_BC, double r,
                     double alpha) noexcept {
   const PostureGradient g = gradient(p_BF, p_BC);
-  return r * std::cos(alpha) * g.x + r * std::sin(alpha) * g.y + g.yaw;
+  return r * unit_vector(alpha).dot(Vector2(g.x, g.y)) + g.yaw;
 }
 
 double advance_gradient(const LegArray<Vector3>& p_BF, const LegArray<Vector3>& p_BC,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <hexagait/math/trigonometry.hpp>
 #include <hexagait/sim3d/detail/servos.hpp>
 
 namespace hexagait::sim3d::detail {
@@ -27,6 +28,11 @@ dJointID add_row(dWorldID world, dJointID hinge) {
   return motor;
 }
 
+Eigen::Quaterniond rotation_of(dBodyID body) {
+  const dReal* q = dBodyGetQuaternion(body);
+  return {q[0], q[1], q[2], q[3]};
+}
+
 }  // namespace
 
 Servos::Servos(const WorldParams& params, const LegArray<LegJoints>& q)
@@ -48,7 +54,15 @@ Servos::Servos(const WorldParams& params, const LegArray<LegJoints>& q)
 
 void Servos::add(dWorldID world, dJointID hinge, LegId leg, Eigen::Index joint,
                  const JointLimits& limits) {
-  Servo servo{.hinge = hinge, .leg = leg, .joint = joint, .limits = limits};
+  const Eigen::Quaterniond child = rotation_of(dJointGetBody(hinge, 0));
+  dVector3 axis_W;
+  dJointGetHingeAxis(hinge, axis_W);
+  Servo servo{.hinge = hinge,
+              .zero = rotation_of(dJointGetBody(hinge, 1)).conjugate() * child,
+              .axis = child.conjugate() * from_ode(axis_W),
+              .leg = leg,
+              .joint = joint,
+              .limits = limits};
   servo.own.gain = servo.row.gain = gain_;
   dJointSetHingeParam(hinge, dParamCFM, 1.0 / gain_);
   if (armature_ > 0.0) {
@@ -162,10 +176,17 @@ bool Servos::some_effort_too_large() const {
   });
 }
 
+// ODE has this angle as well, by the C library's atan2, whose last bits depend on the processor.
+double Servos::angle_of(const Servo& servo) {
+  const Eigen::Quaterniond at_zero = rotation_of(dJointGetBody(servo.hinge, 1)) * servo.zero;
+  const Eigen::Quaterniond turn = at_zero.conjugate() * rotation_of(dJointGetBody(servo.hinge, 0));
+  return 2.0 * portable::atan2(turn.vec().dot(servo.axis), turn.w());
+}
+
 void Servos::read_positions() {
   for (const Servo& servo : servos_) {
     double& q = q_[servo.leg][servo.joint];
-    q += wrap_angle(dJointGetHingeAngle(servo.hinge) - q);
+    q += wrap_angle(angle_of(servo) - q);
   }
 }
 

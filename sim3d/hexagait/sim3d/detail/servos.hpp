@@ -32,7 +32,7 @@ class Servos {
   /// Servos that hold q.
   Servos(const WorldParams& params, const LegArray<LegJoints>& q);
 
-  /// Adds the servo of a hinge with the same zero as the joint.
+  /// Adds the servo of a hinge between two bodies, child first, that are at the joint's zero.
   void add(dWorldID world, dJointID hinge, LegId leg, Eigen::Index joint,
            const JointLimits& limits);
 
@@ -68,6 +68,8 @@ class Servos {
   };
   struct Servo {
     dJointID hinge = nullptr;
+    Eigen::Quaterniond zero;  // of the child relative to the parent, at the joint's zero
+    Vector3 axis;             // in the child's axes
     LegId leg = 0;
     Eigen::Index joint = 0;
     JointLimits limits;
@@ -78,6 +80,7 @@ class Servos {
     bool bounded = false;      // does the solver enforce the effort limit?
   };
 
+  [[nodiscard]] static double angle_of(const Servo& servo);
   [[nodiscard]] Motor motor_of(const Servo& servo) const;
   void follow_targets(double to_come);
   void use(Servo& servo, int at_limit);

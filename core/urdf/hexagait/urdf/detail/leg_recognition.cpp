@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <hexagait/math/trigonometry.hpp>
 #include <hexagait/urdf/detail/leg_recognition.hpp>
 
 namespace hexagait {
@@ -65,7 +66,7 @@ Vector3 outward_direction(const SerialChain& chain) {
 }
 
 /// The angle of the direction (x, z) below x: positive downwards [rad].
-double pitch_of(const Vector3& v_H) { return std::atan2(-v_H.z(), v_H.x()); }
+double pitch_of(const Vector3& v_H) { return portable::atan2(-v_H.z(), v_H.x()); }
 
 /// Lengths, signs and offsets from the axes and points at zero.
 void derive_geometry(const SerialChain& chain, LegModel& leg) {
@@ -78,8 +79,8 @@ void derive_geometry(const SerialChain& chain, LegModel& leg) {
   const Vector3 p_HK = X_HB * knee.p_BJ0, p_HF = X_HB * leg.p_BF0;
   const Vector3 p_HP(x.dot(hip.p_BJ0 - leg.X_BH.p), 0.0, 0.0);  // in the leg's plane, as K and F
   leg.coxa = p_HP.x();
-  leg.femur = std::hypot(p_HK.x() - p_HP.x(), p_HK.z());
-  leg.tibia = std::hypot(p_HF.x() - p_HK.x(), p_HF.z() - p_HK.z());
+  leg.femur = portable::hypot(p_HK.x() - p_HP.x(), p_HK.z());
+  leg.tibia = portable::hypot(p_HF.x() - p_HK.x(), p_HF.z() - p_HK.z());
 
   for (int i = 0; i < 3; ++i) {
     const auto j = static_cast<std::size_t>(i);

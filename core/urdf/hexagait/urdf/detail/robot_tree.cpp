@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <hexagait/urdf/detail/robot_tree.hpp>
+#include <hexagait/urdf/detail/rotations.hpp>
 #include <hexagait/urdf/detail/xml_size.hpp>
 #include <mutex>
 
@@ -68,7 +69,10 @@ urdf::ModelInterfaceSharedPtr parse(const std::string& xml, Violations& violatio
   for (const std::string& error : log.errors)
     reasons.append(reasons.empty() ? "" : "; ").append(error);
   if (!model) reasons += "; it must be XML with a <robot> element and its links and joints";
-  if (model && reasons.empty()) return model;
+  if (model && reasons.empty()) {
+    recompute_rotations(*model, xml);
+    return model;
+  }
   violations.add("URDF", reasons);
   if (model) const LinkOwner frees{*model};
   return nullptr;

@@ -1,0 +1,73 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The hexagait authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Are walks, actions and sweeps the same to the last bit on every processor?
+#
+#   app/same_bits.sh golden HEXAGAIT   their hashes are those of app/golden_hashes.txt
+#   app/same_bits.sh fma HEXAGAIT      the C library without fused multiply-add gives the same hashes
+#   app/same_bits.sh write HEXAGAIT    makes app/golden_hashes.txt anew
+#
+# Exit status 77: this processor cannot tell.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+mode=$1 hexagait=$(realpath "$2")
+golden=$root/app/golden_hashes.txt
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$root"
+
+# All numbers of an action's result, or the state hash of a walk.
+row() {
+  local out hash
+  out=$("$hexagait" "$@" --json 2>/dev/null </dev/null) || true
+  hash=$(grep -oE '"state_hash": *"[0-9a-f]{16}' <<<"$out" | grep -oE '[0-9a-f]{16}$') ||
+    hash=$(grep -oE '"[a-z_]+": *-?[0-9][-+0-9.e]*' <<<"$out" | sha256sum | cut -c 1-16)
+  printf '%s  %s\n' "$hash" "$*"
+}
+
+# sweep_row NAME: all of trials.csv
+sweep_row() {
+  "$hexagait" sweep "$scratch/$1.yaml" --out "$scratch/$1" --jobs 1 --quiet >/dev/null
+  printf '%s  sweep of %s\n' "$(sha256sum <"$scratch/$1/trials.csv" | cut -c 1-16)" "$1"
+  rm -r "${scratch:?}/$1"
+}
+
+hashes() {
+  row walk --robot robots/argos.urdf --seconds 3 --radius 2
+  row walk --robot robots/argos.urdf --seconds 2 --spin cw --terrain boxes:0.10
+  row walk --robot robots/argos.urdf --seconds 2 --crab 40deg --terrain steps:0.10 --random-posture 0.05
+  row walk --robot robots/hexapod_4dof.urdf --seconds 2
+  row walk --robot genghis2d --seconds 4 --terrain step:10cm --random-posture 0.025
+  row run actions/tripod.yaml --robot robots/argos.urdf
+  row run actions/look_around.yaml --robot robots/argos.urdf --controller virtual_model
+  row run actions/push_up.yaml --robot robots/quadruped_rpp.urdf
+  printf '%s\n' 'simulator: slice' 'controllers: [free, "wave:0.75"]' 'terrains: [profile]' \
+    'roughness: [2]' 'seeds: 20' 'slices: 100' >"$scratch/slices.yaml"
+  printf '%s\n' 'simulator: ode' 'controllers: [free]' 'robots: [robots/argos.urdf]' 'terrains: [boxes]' \
+    'roughness: [0.10]' 'seeds: 2' 'seconds: 2' 'random_posture: 0.05' >"$scratch/walks.yaml"
+  sweep_row slices
+  sweep_row walks
+}
+
+# The C library then uses sin, cos, atan2, exp, … as on a processor that has none of these.
+without_fma() {
+  GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-FMA4,-AVX2,-AVX2_Usable,-FMA_Usable hashes
+}
+
+case "$mode" in
+  golden)
+    hashes >"$scratch/now"
+    diff "$golden" "$scratch/now"
+    ;;
+  write) hashes >"$golden" ;;
+  fma)
+    if ! grep -qw fma /proc/cpuinfo 2>/dev/null; then
+      echo "This processor has no fused multiply-add: nothing to compare with"
+      exit 77
+    fi
+    hashes >"$scratch/with"
+    without_fma >"$scratch/without"
+    diff "$scratch/with" "$scratch/without"
+    ;;
+esac
