@@ -19,24 +19,16 @@ std::string with_unit(double value, const std::string& unit) {
 
 std::string line(const Check& check) {
   const std::string& unit = check.measured().unit;
+  const Finding finding = check.finding();
   const std::string text =
       to_string(check.measured()) + "; claimed: " + to_string(check.bound(), unit);
-  switch (check.finding()) {
-    case Finding::holds:
-      return text;
-    case Finding::fails:
-      return text + ": FAILS";
-    case Finding::fails_as_expected:
-      return fmt::format("{}; expected: {}, because {}", text, to_string(*check.band(), unit),
-                         check.reason());
-    case Finding::holds_unexpectedly:
-      return fmt::format("{}; HOLDS, but was expected to be {}, because {}", text,
-                         to_string(*check.band(), unit), check.reason());
-    case Finding::fails_otherwise:
-      return fmt::format("{}; FAILS, and was expected to be {}, because {}", text,
-                         to_string(*check.band(), unit), check.reason());
-  }
-  return text;
+  if (!check.band()) return text + (finding == Finding::fails ? ": FAILS" : "");
+  const char* const found = finding == Finding::fails_as_expected ? "expected:"
+                            : finding == Finding::holds_unexpectedly
+                                ? "HOLDS, but was expected to be"
+                                : "FAILS, and was expected to be";
+  return fmt::format("{}; {} {}, because {}", text, found, to_string(*check.band(), unit),
+                     check.reason());
 }
 
 }  // namespace

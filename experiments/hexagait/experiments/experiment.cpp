@@ -30,9 +30,7 @@ Manifest run(const Experiment& experiment, const ExperimentContext& context, con
   // A PDF carries the date, so its bytes differ from run to run.
   for (const std::string& name : files.names())
     if (!name.ends_with(".pdf")) manifest.outputs.push_back({name, files.hash(name)});
-  std::ofstream file = files.create("manifest.json");
-  file << to_json(manifest) << '\n';
-  file.close();
+  files.write("manifest.json", to_json(manifest) + '\n');
   files.publish();
   return manifest;
 }

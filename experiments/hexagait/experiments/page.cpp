@@ -114,20 +114,18 @@ std::string overview_html(const std::vector<Manifest>& manifests) {
 
 void write_page(const std::vector<Manifest>& manifests, const fs::path& out) {
   figures::StagedFiles files(out);
-  std::ofstream page = files.create("index.html");
-  page << scripts::experiments::page
-       << fmt::format("{} ({}). What does not hold is said so, with the numbers.</p>\n",
-                      recording::kVersion, recording::kRevision)
-       << overview_html(manifests);
+  std::string html(scripts::experiments::page);
+  html += fmt::format("{} ({}). What does not hold is said so, with the numbers.</p>\n",
+                      recording::kVersion, recording::kRevision) +
+          overview_html(manifests);
   for (const Manifest& manifest : manifests) {
     const fs::path directory = out / manifest.experiment;
-    page << fmt::format("<section id=\"{0}\">\n<h2><small>{0}</small>{1}</h2>\n",
-                        manifest.experiment, escaped(manifest.title))
-         << claims_html(manifest.outcome.verdicts) << figures_html(manifest, directory)
-         << table_html(manifest.outcome.table) << files_html(manifest, directory) << "</section>\n";
+    html += fmt::format("<section id=\"{0}\">\n<h2><small>{0}</small>{1}</h2>\n",
+                        manifest.experiment, escaped(manifest.title)) +
+            claims_html(manifest.outcome.verdicts) + figures_html(manifest, directory) +
+            table_html(manifest.outcome.table) + files_html(manifest, directory) + "</section>\n";
   }
-  page << "</html>\n";
-  page.close();
+  files.write("index.html", html + "</html>\n");
   files.publish();
 }
 

@@ -5,10 +5,10 @@
 // of 3 … 7 slices, and random ground profiles from flat to far rougher than a foot is raised.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <hexagait/pc04/fig7b.gp.hpp>
 #include <hexagait/pc04/judges.hpp>
 #include <hexagait/pc04/pc04.hpp>
+#include <iterator>
 
 namespace hexagait::experiments {
 namespace {
@@ -51,7 +51,7 @@ Outcome fig7b(const ExperimentContext& context, figures::StagedFiles& files) {
     context.tell(all.size(), terrains.size());
     all.push_back(compare_gaits(kGaits, terrain));
   }
-  const std::vector<SliceComparison> profiles(all.begin() + kDescents.size(), all.end());
+  const std::vector<SliceComparison> profiles(all.begin() + std::ssize(kDescents), all.end());
   const SliceComparison& shown = all[1];
   write_profiles(files, profiles);
   draw_comparison(files,
@@ -60,7 +60,7 @@ Outcome fig7b(const ExperimentContext& context, figures::StagedFiles& files) {
                   shown, {{"terrain_title", "Descents of 3 … 7 slices"}}, scripts::pc04::fig7b);
 
   // The grounds of the claim that it is ahead: up to half a slice's descent nobody feels it.
-  std::vector<SliceComparison> rough(all.begin(), all.end() - profiles.size());
+  std::vector<SliceComparison> rough(all.begin(), all.begin() + std::ssize(kDescents));
   for (std::size_t k = 0; k < profiles.size(); ++k)
     if (0.5 < kRoughness[k] && kRoughness[k] <= kRoughest) rough.push_back(profiles[k]);
   Outcome outcome{.verdicts = judge_fig7b(rough, all, shown),

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <hexagait/experiments/walk_checks.hpp>
 #include <hexagait/statistics/statistics.hpp>
 #include <string>
 #include <vector>
@@ -25,9 +26,7 @@ struct GaitComparison {
   /// One value of every trial of a gait.
   template <class Value>
   [[nodiscard]] std::vector<double> each(std::size_t gait, Value value) const {
-    std::vector<double> values;
-    for (const Run& run : runs[gait]) values.push_back(value(run));
-    return values;
+    return experiments::each(runs[gait], value);
   }
   template <class Value>
   [[nodiscard]] double mean(std::size_t gait, Value value) const {
