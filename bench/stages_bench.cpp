@@ -118,8 +118,8 @@ BENCHMARK(posture_plane_fit);
 void base_command(benchmark::State& state) {
   const Snapshot& s = snapshot();
   for (auto _ : state)
-    benchmark::DoNotOptimize(
-        base_auto(s.robot, s.record().arc, s.executor, {}, s.walker.params().step));
+    benchmark::DoNotOptimize(base_auto(s.robot, s.record().arc, s.executor, s.record().state.X_OB,
+                                       {}, s.walker.params().step));
 }
 BENCHMARK(base_command);
 

@@ -150,8 +150,9 @@ TEST(BaseCommand, KeepsSupportLegsWithinTheirWorkspaces) {
   for (const Vector3& offset :
        {Vector3(0.0, 0.0, 0.0), Vector3(-0.1, 0.05, 0.0), Vector3(0.12, -0.09, 0.0)}) {
     Stance stance = shifted(offset);
-    const BaseAutoCommand base = base_auto(stance.robot, stance.arc(Heading::straight(0.0)),
-                                           stance.executor, {}, {.stability_margin = 0.0});
+    const BaseAutoCommand base =
+        base_auto(stance.robot, stance.arc(Heading::straight(0.0)), stance.executor,
+                  stance.state.X_OB, {}, {.stability_margin = 0.0});
     const double usable = 0.98 * stance.robot.legs[0].workspace_radius;
     const double chord = offset.x() + std::sqrt(usable * usable - offset.y() * offset.y());
     EXPECT_NEAR(base.max_advance, chord, 1e-12);
@@ -164,8 +165,8 @@ TEST(BaseCommand, KeepsTheCentreOfMassWithinTheFeet) {
   Stance stance;
   stance.lift({4, 5});
   const auto limit = [&](double alpha, double margin) {
-    return base_auto(stance.robot, stance.arc(Heading::straight(alpha)), stance.executor, {},
-                     {.stability_margin = margin})
+    return base_auto(stance.robot, stance.arc(Heading::straight(alpha)), stance.executor,
+                     stance.state.X_OB, {}, {.stability_margin = margin})
         .max_advance;
   };
   EXPECT_NEAR(limit(kPi, 0.0), 0.0, 1e-9);
@@ -178,17 +179,70 @@ TEST(BaseCommand, KeepsTheCentreOfMassWithinTheFeet) {
 TEST(BaseCommand, KeepsItsMarginFromTheEdgeAhead) {
   Stance stance;
   const double x_front = stance.robot.legs[0].p_BC.x();
-  const BaseAutoCommand base = base_auto(stance.robot, stance.arc(Heading::straight(0.0)),
-                                         stance.executor, {}, {.stability_margin = x_front - 0.1});
+  const BaseAutoCommand base =
+      base_auto(stance.robot, stance.arc(Heading::straight(0.0)), stance.executor,
+                stance.state.X_OB, {}, {.stability_margin = x_front - 0.1});
   EXPECT_NEAR(base.max_advance, 0.1, 1e-9);
+}
+
+// With two feet, diagonal ones, the base may pass the line between them by the margin; with one, it
+// waits.
+TEST(BaseCommand, DoesNotDriveOnOverTwoFeetOrOne) {
+  Stance stance;
+  stance.lift({1, 2, 3, 4});  // front left and rear right stand: the line passes the middle
+  const auto left = [&](double alpha) {
+    return base_auto(stance.robot, stance.arc(Heading::straight(alpha)), stance.executor,
+                     stance.state.X_OB, {}, {.stability_margin = 0.03})
+        .max_advance;
+  };
+  const Vector2 line = (stance.robot.legs[0].p_BC - stance.robot.legs[5].p_BC).head<2>();
+  const double across = std::abs(cross(line.normalized(), Vector2::UnitX()));
+  EXPECT_NEAR(left(0.0), 0.03 / across, 1e-9);
+  EXPECT_NEAR(left(kPi), 0.03 / across, 1e-9);
+  stance.lift({5});
+  EXPECT_EQ(left(0.0), 0.0);
+}
+
+// The centre of mass is 0.32 m above the feet: tilted by 12° it is 6.8 cm from where it is over the
+// level stance, and that much nearer to the edge downhill.
+TEST(BaseCommand, SeesTheFeetAlongGravity) {
+  Stance stance;
+  stance.robot.p_BM = {0.0, 0.0, 0.0};
+  const double height = -stance.robot.legs[0].p_BC.z();
+  const double x_front = stance.robot.legs[0].p_BC.x(), margin = x_front - 0.1;
+  for (const double pitch : {0.0, 0.1, 0.2}) {
+    const Pose X_OB{rotation(Vector3(0.0, pitch, 0.0)), {0.0, 0.0, 0.3}};  // the front is low
+    const BaseAutoCommand base = base_auto(stance.robot, stance.arc(Heading::straight(0.0)),
+                                           stance.executor, X_OB, {}, {.stability_margin = margin});
+    // To the front edge, seen from above; the path, too, is seen so.
+    const double edge = x_front * std::cos(pitch) - height * std::sin(pitch);
+    EXPECT_NEAR(base.max_advance, (edge - margin) / std::cos(pitch), 1e-9) << pitch;
+  }
+}
+
+// The body 5 cm behind the rear edge: back it goes, with all of it. At the edge no correction takes
+// it farther out, but along the edge and inwards it may go.
+TEST(BaseCommand, BringsACentreOfMassFromOutsideBackOverTheFeet) {
+  Stance stance;
+  stance.lift({4, 5});
+  stance.robot.p_BM = {-0.05, 0.0, 0.0};
+  const auto corrected = [&](const Vector2& deviation) {
+    return base_auto(stance.robot, stance.arc(Heading::straight(0.0)), stance.executor,
+                     stance.state.X_OB, {deviation, 0.0}, {})
+        .correction.v;
+  };
+  EXPECT_LT((corrected({0.0, 0.0}) - Vector2(0.05, 0.0)).norm(), 1e-9);
+  EXPECT_LT((corrected({-0.02, 0.01}) - Vector2(0.05, 0.01)).norm(), 1e-9);
+  EXPECT_LT((corrected({0.02, 0.01}) - Vector2(0.07, 0.01)).norm(), 1e-9);
 }
 
 // The pose adaptation: feet ahead by d ask for an advance by d, feet low by h for a body lower by h
 // (the footprints follow the body).
 TEST(BaseCommand, AsksForTheBodyToBeOverItsFeet) {
   Stance stance = shifted({0.06, 0.0, -0.02});
-  const BaseAutoCommand base = base_auto(stance.robot, stance.arc(Heading::straight(0.0)),
-                                         stance.executor, {{0.01, 0.02}, 0.03}, {});
+  const BaseAutoCommand base =
+      base_auto(stance.robot, stance.arc(Heading::straight(0.0)), stance.executor,
+                stance.state.X_OB, {{0.01, 0.02}, 0.03}, {});
   const BaseGoal goal = base.adaptation(base, stance.executor.pose_adaptation_input(stance.state));
   EXPECT_NEAR(goal.advance, 0.06, 1e-12);
   EXPECT_NEAR(goal.height, -0.02, 1e-12);

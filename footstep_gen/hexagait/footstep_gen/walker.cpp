@@ -6,6 +6,7 @@
 #include <hexagait/footstep_gen/detail/rear_edge.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/math/trigonometry.hpp>
+#include <limits>
 #include <utility>
 
 namespace hexagait::footstep_gen {
@@ -63,9 +64,21 @@ void Walker::set_stepping(const gait_state::StepperParams& stepping) {
 }
 
 const TickRecord& Walker::tick(PlantStatus status, const Measurement& measurement,
+                               const heading_control::HeadingCommand& command) noexcept {
+  speed_limit_ = command.speed_limit;
+  return step(status, measurement, command.heading);
+}
+
+const TickRecord& Walker::tick(PlantStatus status, const Measurement& measurement,
+                               const heading_control::Heading& heading) noexcept {
+  speed_limit_ = std::numeric_limits<double>::infinity();
+  return step(status, measurement, heading);
+}
+
+const TickRecord& Walker::step(PlantStatus status, const Measurement& measurement,
                                const heading_control::Heading& heading) noexcept {
   record_.lifts = record_.waits = record_.rule1_violations = LegSet();
-  if (!healthy(status, measurement)) return record_;
+  if (!healthy(status, measurement)) return stand_by(measurement), record_;
   estimate();      // joints and contacts → feet, odometry
   steer(heading);  // heading → path of this robot, deviation from it
   decide();        // gait state: which legs may step; stepper: which do
@@ -99,19 +112,27 @@ bool Walker::healthy(PlantStatus status, const Measurement& measurement) noexcep
       watch_.accepts(status, measurement, *model_, params_.control_dt, params_.late_limit);
   record_.fault = watch_.fault();
   record_.holding = watch_.holding();
-  if (go) {
-    record_.measurement = measurement;
-  } else {
-    executor_.hold();
-    record_.targets = executor_.targets();
-    if (watch_.fault() == Fault::not_started && valid(measurement, *model_))
-      record_.targets.q = measurement.q;
-  }
+  if (go) record_.measurement = measurement;
   return go;
 }
 
+// A tick in which nothing is decided.
+void Walker::stand_by(const Measurement& measurement) noexcept {
+  const Fault fault = watch_.fault();
+  if (fault == Fault::none || fault == Fault::plant_late) {
+    executor_.coast(record_.state, params_.control_dt);
+    ++ticks_;
+  } else {
+    executor_.hold();
+  }
+  record_.targets = executor_.targets();
+  record_.base = executor_.base();
+  record_.legs = executor_.legs();
+  if (fault == Fault::not_started && valid(measurement, *model_)) record_.targets.q = measurement.q;
+}
+
 void Walker::estimate() noexcept {
-  estimator_.update(record_.state, record_.measurement, executor_, params_.control_dt);
+  estimator_.update(record_.state, record_.measurement, executor_, watch_.elapsed());
 }
 
 void Walker::steer(const heading_control::Heading& heading) noexcept {
@@ -150,7 +171,9 @@ void Walker::command() noexcept {
                                     share_to_come(i) * record_.path_to_come, params_.step);
     executor_.command(record_.footsteps[i], record_.state);
   }
-  record_.base_auto = base_auto(*model_, record_.arc, executor_, record_.deviation, params_.step);
+  record_.base_auto = base_auto(*model_, record_.arc, executor_, record_.state.X_OB,
+                                record_.deviation, params_.step);
+  record_.base_auto.max_speed = speed_limit_;
   executor_.command(record_.base_auto);
 }
 

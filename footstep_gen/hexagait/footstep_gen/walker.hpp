@@ -7,6 +7,7 @@
 #include <hexagait/footstep_gen/tick_record.hpp>
 #include <hexagait/gait_state/decide.hpp>
 #include <hexagait/heading_control/path_tracker.hpp>
+#include <hexagait/heading_control/twist.hpp>
 #include <hexagait/plant/plant_watch.hpp>
 
 namespace hexagait::footstep_gen {
@@ -37,9 +38,15 @@ class Walker {
 
   /// One control period. Before start() it only holds the joints where they are measured, with
   /// Fault::not_started.
-  /// @param status  late: the measurement is ignored and the robot holds; after late_limit it stops
+  /// @param status  late: the measurement is ignored and the robot coasts: it goes on and brakes, with
+  ///                its limits of acceleration, and then holds; after late_limit it is stopped
   const TickRecord& tick(PlantStatus status, const Measurement& measurement,
                          const heading_control::Heading& heading) noexcept;
+
+  /// The same for a velocity command (heading_control::from_twist()): along its path, no faster than
+  /// its limit.
+  const TickRecord& tick(PlantStatus status, const Measurement& measurement,
+                         const heading_control::HeadingCommand& command) noexcept;
 
   /// Changes the gait from the next tick on: free, wave with a duty factor, or tripod. May be
   /// called between any two ticks; start() keeps it.
@@ -54,7 +61,10 @@ class Walker {
   [[nodiscard]] const WalkerParams& params() const { return params_; }
 
  private:
+  const TickRecord& step(PlantStatus status, const Measurement& measurement,
+                         const heading_control::Heading& heading) noexcept;
   bool healthy(PlantStatus status, const Measurement& measurement) noexcept;
+  void stand_by(const Measurement& measurement) noexcept;
   void estimate() noexcept;
   void steer(const heading_control::Heading& heading) noexcept;
   void decide() noexcept;
@@ -74,7 +84,8 @@ class Walker {
   heading_control::PathTracker tracker_;
   gait_state::GaitMemory memory_;
   Executor executor_;
-  long ticks_ = 0;  ///< number of ticks; late periods do not count
+  double speed_limit_ = std::numeric_limits<double>::infinity();  ///< along the path [m/s]
+  long ticks_ = 0;  ///< number of control periods, late ones too
   TickRecord record_;
 };
 

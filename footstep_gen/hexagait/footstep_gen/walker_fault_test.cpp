@@ -128,35 +128,86 @@ TEST(WalkerFault, LiftsNothingWhileThePlantIsLate) {
                   .lifts.empty());
 }
 
-// Late for up to late_limit = 0.1 s = 50 periods: all holds, and then goes on.
-TEST(WalkerFault, HoldsWhileThePlantIsLateAndGoesOn) {
-  Walk walk;
-  walk.walk(333);
-  for (int k = 0; k < 49; ++k) {
-    const JointTargets before = walk.walker.record().targets;
-    const TickRecord& record =
-        walk.walker.tick(PlantStatus::late, walk.plant.measurement, Heading::straight(0.0));
-    ASSERT_TRUE(record.holding);
-    ASSERT_EQ(record.fault, Fault::none);
-    for (LegId i = 0; i < 6; ++i) ASSERT_EQ(record.targets.q[i], before.q[i]);
-    for (const LegJoints& qd : record.targets.qd) ASSERT_EQ(qd.norm(), 0.0);
-  }
-  const double x = walk.plant.X_OB.p.norm();
-  for (int k = 0; k < 2000; ++k) ASSERT_FALSE(walk.tick().holding);
-  EXPECT_EQ(walk.walker.record().fault, Fault::none);
-  EXPECT_GT(std::abs(walk.plant.X_OB.p.norm() - x), 0.05) << "walks again";
+/// Largest change of any joint's velocity between two ticks [rad/s].
+double jump(const JointTargets& a, const JointTargets& b) {
+  double most = 0.0;
+  for (LegId i = 0; i < a.qd.size(); ++i)
+    most = std::max(most, (a.qd[i] - b.qd[i]).cwiseAbs().maxCoeff());
+  return most;
 }
 
-TEST(WalkerFault, GivesUpWhenThePlantIsLateForTooLong) {
-  Walk walk;
-  walk.walk(333);
-  int periods = 0;
-  while (walk.walker.record().fault == Fault::none && periods < 1000) {
-    walk.walker.tick(PlantStatus::late, walk.plant.measurement, Heading::straight(0.0));
-    ++periods;
+double speed(const JointTargets& targets) {
+  double most = 0.0;
+  for (const LegJoints& qd : targets.qd) most = std::max(most, qd.cwiseAbs().maxCoeff());
+  return most;
+}
+
+// The base brakes with 1.2 m/s², a foot with 6 m/s², at a hip some 0.2 m away: 36 rad/s², and as
+// much again for the curvature of the legs' motions, (2 m/s)²/(0.3 m)². A stop in one tick would be
+// 2 m/s / 0.3 m.
+constexpr double kMostAcceleration = 80.0;  // [rad/s²]
+
+// Late for 0.1 s, from any instant of a step on, with a plant that goes on with what it is told.
+// Nothing stops at once, nothing starts at once, and the robot walks on.
+TEST(WalkerFault, CoastsWhileThePlantIsLateAndGoesOn) {
+  for (int ticks = 300; ticks < 800; ticks += 37) {
+    Walk walk;
+    walk.walk(ticks);
+    for (int k = 0; k < 49; ++k) {
+      const JointTargets before = walk.walker.record().targets;
+      const TickRecord& record =
+          walk.walker.tick(PlantStatus::late, walk.plant.measurement, Heading::straight(0.0));
+      walk.plant.follow(record, kDt);
+      ASSERT_TRUE(record.holding);
+      ASSERT_EQ(record.fault, Fault::none);
+      ASSERT_LT(jump(record.targets, before), kMostAcceleration * kDt) << ticks << " " << k;
+      for (LegId i = 0; i < 6; ++i)
+        ASSERT_LT((record.targets.q[i] - before.q[i] - kDt * record.targets.qd[i]).norm(), 1e-12);
+    }
+    const JointTargets before = walk.walker.record().targets;
+    walk.tick();
+    EXPECT_LT(jump(walk.walker.record().targets, before), 2.0 * kMostAcceleration * kDt) << ticks;
+    const double x = walk.plant.X_OB.p.norm();
+    for (int k = 0; k < 2000; ++k) ASSERT_FALSE(walk.tick().holding);
+    EXPECT_EQ(walk.walker.record().fault, Fault::none);
+    EXPECT_GT(std::abs(walk.plant.X_OB.p.norm() - x), 0.05) << "walks again";
   }
-  EXPECT_NEAR(periods * kDt, walk.walker.params().late_limit, 1.5 * kDt);
-  expect_stopped_for_good(walk, Fault::plant_late);
+}
+
+// From 0.6 m/s the base stops within 0.5 s, from 2 m/s a foot within 0.33 s.
+TEST(WalkerFault, GivesUpWhenThePlantIsLateForTooLongAndComesToRest) {
+  for (int ticks = 300; ticks < 800; ticks += 111) {
+    Walk walk;
+    walk.walk(ticks);
+    int periods = 0;
+    for (; walk.walker.record().fault == Fault::none && periods < 1000; ++periods)
+      walk.walker.tick(PlantStatus::late, walk.plant.measurement, Heading::straight(0.0));
+    EXPECT_NEAR(periods * kDt, walk.walker.params().late_limit, 1.5 * kDt);
+    for (; periods * kDt < 0.55; ++periods) {
+      const JointTargets before = walk.walker.record().targets;
+      walk.walker.tick(PlantStatus::late, walk.plant.measurement, Heading::straight(0.0));
+      ASSERT_LT(jump(walk.walker.record().targets, before), kMostAcceleration * kDt);
+    }
+    EXPECT_EQ(speed(walk.walker.record().targets), 0.0);
+    expect_stopped_for_good(walk, Fault::plant_late);
+  }
+}
+
+// The clocks go by the time that has passed, not by the ticks that were in time.
+TEST(WalkerFault, CountsLatePeriodsAsTime) {
+  Walk walk;
+  for (int k = 0; k < 3000; ++k) {
+    if (k % 4 == 3) {
+      const TickRecord& record =
+          walk.walker.tick(PlantStatus::late, walk.plant.measurement, Heading::straight(0.0));
+      walk.plant.follow(record, kDt);
+    } else {
+      walk.tick(Heading::straight(0.0));
+    }
+  }
+  EXPECT_EQ(walk.walker.record().fault, Fault::none);
+  EXPECT_GT(walk.plant.X_OB.p.x(), 0.5 * 6.0 * 0.2) << "it walks";
+  EXPECT_LT(walk.plant.X_OB.p.x(), 1.1 * 6.0 * 0.24) << "no faster than in time";
 }
 
 // Single late periods, half of them all, are no silence.

@@ -308,5 +308,22 @@ TEST(WalkerSensors, AreNotNeededToWalk) {
   }
 }
 
+// A velocity command is a path and a limit of the speed along it.
+TEST(Walker, KeepsToTheSpeedOfAVelocityCommand) {
+  Walk walk(argos());
+  const auto workspaces = heading_control::workspaces(argos());
+  const heading_control::HeadingCommand slow =
+      heading_control::from_twist({{0.1, 0.0}, 0.0}, workspaces);
+  double fastest = 0.0;
+  for (int k = 0; k < 5000; ++k) {
+    const TickRecord& record = walk.walker.tick(PlantStatus::fresh, walk.plant.measurement, slow);
+    walk.plant.follow(record, kDt);
+    fastest = std::max(fastest, record.base.planar.v.norm());
+  }
+  const BaseParams& base = walk.walker.params().executor.base;
+  EXPECT_LT(fastest, 0.1 * 1.001 + base.correction_speed) << "and a little for the correction";
+  EXPECT_NEAR(walk.plant.X_OB.p.x(), 1.0, 0.1);
+}
+
 }  // namespace
 }  // namespace hexagait::footstep_gen

@@ -62,8 +62,8 @@ Parameters parameters(const footstep_gen::StepParams& params) {
 
 Parameters parameters(const SwingParams& params) {
   const auto& [unload, load, lift, clearance, transfer, max_speed, overlap, descent, touchdown,
-               margin, search, acceleration, commit, back, up, blocked, retreat, confirm, lost,
-               regain, reflexes, search_time, follow_rate] = params;
+               margin, search, acceleration, commit, back, up, blocked, retreat, retreats, touch,
+               confirm, lost, regain, reflexes, search_time, follow_rate] = params;
   return {{"unload_time_s", unload},
           {"load_time_s", load},
           {"lift_time_s", lift},
@@ -81,6 +81,8 @@ Parameters parameters(const SwingParams& params) {
           {"retreat_up_m", up},
           {"blocked_error_m", blocked},
           {"retreat_time_s", retreat},
+          {"max_retreats", retreats},
+          {"touch_time_s", touch},
           {"confirm_time_s", confirm},
           {"lost_time_s", lost},
           {"regain_time_s", regain},

@@ -47,4 +47,14 @@ void advance(BaseLane& lane, const BaseAutoCommand& command, const BaseGoal& goa
   slew(lane.pitch, goal.pitch, params.tilt_speed, params.outer_radius);
 }
 
+void brake(BaseLane& lane, double dt, const BaseParams& params) noexcept {
+  // Bounded at the outermost foot; all components fall alike, so that the path stays the same.
+  const Twist V = lane.twist();
+  const double speed = V.v.norm() + params.outer_radius * V.w.norm();
+  const double share =
+      speed > params.acceleration * dt ? 1.0 - params.acceleration * dt / speed : 0.0;
+  lane = {
+      {share * V.v.head<2>(), share * V.w.z()}, share * V.v.z(), share * V.w.x(), share * V.w.y()};
+}
+
 }  // namespace hexagait

@@ -38,4 +38,7 @@ struct BaseLane {
 void advance(BaseLane& lane, const BaseAutoCommand& command, const BaseGoal& goal, double dt,
              const BaseParams& params) noexcept;
 
+/// One tick without a goal: the base brakes to rest, within its limit of acceleration.
+void brake(BaseLane& lane, double dt, const BaseParams& params) noexcept;
+
 }  // namespace hexagait

@@ -14,6 +14,28 @@ constexpr double kEffortRamp = 0.1;
 // A plan that ends faster than this expects another one to follow [m/s], [rad/s].
 constexpr double kMoving = 1e-6;
 
+// Share of the joints' speed that a rising foot may use; the base moves too.
+constexpr double kRiseShare = 0.75;
+
+// Upward speed of the foot at the workspace centre, within kRiseShare of the joints' speeds [m/s].
+double rise_speed(const LegModel& leg) {
+  constexpr double kStep = 1e-3;
+  const LegSolution low = inverse_kinematics(leg, leg.p_BC);
+  const LegSolution high = inverse_kinematics(leg, leg.p_BC + kStep * Vector3::UnitZ(), low.q);
+  double longest = 0.0;  // [s]
+  for (int k = 0; k < leg.num_joints(); ++k)
+    longest = std::max(longest, std::abs(high.q[k] - low.q[k]) / leg.limits[k].velocity);
+  return longest > 0.0 ? kRiseShare * kStep / longest : std::numeric_limits<double>::infinity();
+}
+
+// A set point in the air that is out of reach goes no farther than the foot can; else it would run
+// away from it, and take as long to come back.
+void take_back(LegLane& lane, const Vector3& p_BF, const Pose& X_OB, double dt) {
+  lane.v_O += X_OB.R * (p_BF - lane.p_BF) / dt;
+  lane.a_O.setZero();
+  lane.p_BF = p_BF;
+}
+
 bool is_zero(const LegJoints& effort) { return effort.cwiseAbs().maxCoeff() < 1e-12; }
 
 }  // namespace
@@ -25,7 +47,8 @@ Executor::Executor(const RobotModel& model, const ExecutorParams& params)
       trig_(model.num_legs()),
       last_change_(model.num_legs(), LegJoints::Zero()),
       reachable_(model.num_legs(), true),
-      tracking_error_(model.num_legs(), 0.0),
+      lag_(model.num_legs()),
+      off_(model.num_legs(), Vector3::Zero()),
       plans_(model.num_legs()),
       planned_effort_(model.num_legs(), LegJoints::Zero()) {
   const LegArray<LegJoints> zero(model.num_legs(), LegJoints::Zero());
@@ -42,6 +65,8 @@ void Executor::reset(const RobotState& state, RestsOn rests_on) {
       legs_[i].load = 0.0;
     }
     legs_[i].p_BF = state.p_BF[i];
+    legs_[i].max_rise = rise_speed(model_->legs[i]);
+    lag_.restart(i, state.p_BF[i]);
     trig_[i] = state.trig[i];
   }
   targets_.q = state.q;
@@ -96,7 +121,7 @@ const JointTargets& Executor::advance(const RobotState& state, double dt) noexce
 void Executor::move(const RobotState& state, double dt) noexcept {
   move_base(state, dt);          // twist of the base
   update_base_error(state, dt);  // its error from the plan, for the virtual model
-  note_tracking(state);          // errors of the feet, before their set points move on
+  note_tracking(state, dt);      // errors of the feet, before their set points move on
   carry_with_ground(state, dt);  // set points of the feet, as the base moves over the ground
   move_legs(state, dt);          // motion of the feet over the ground
   set_joints(state, dt);
@@ -108,7 +133,22 @@ void Executor::move_base(const RobotState& state, double dt) noexcept {
   base_goal_ = base_command_.adaptation
                    ? base_command_.adaptation(base_command_, pose_adaptation_input(state))
                    : BaseGoal{};
+  const BaseLane before = base_;
   hexagait::advance(base_, base_command_, base_goal_, dt, params_.base);
+  if (!drags_a_foot()) return;
+  base_ = before;
+  brake(base_, dt, params_.base);
+}
+
+// Would the base take a standing foot farther away whose leg is at its end already?
+bool Executor::drags_a_foot() const noexcept {
+  const Twist V = base_.twist();
+  for (LegId i = 0; i < legs_.size(); ++i) {
+    if (legs_[i].phase != LegPhase::support || reachable_[i]) continue;
+    const Vector3 from_hip = legs_[i].p_BF - model_->legs[i].X_BH.p;
+    if (from_hip.dot(V.v + V.w.cross(legs_[i].p_BF)) < 0.0) return true;
+  }
+  return false;
 }
 
 // The twist of the plan, plus a correction of the error that odometry sees.
@@ -154,14 +194,41 @@ void Executor::update_base_error(const RobotState& state, double dt) noexcept {
   base_error_ = base_error(state.X_OB, state.V_B, X_OD_, V_D);
 }
 
-void Executor::note_tracking(const RobotState& state) noexcept {
-  for (LegId i = 0; i < legs_.size(); ++i)
-    tracking_error_[i] = (state.p_BF[i] - legs_[i].p_BF).norm();
+void Executor::note_tracking(const RobotState& state, double dt) noexcept {
+  for (LegId i = 0; i < legs_.size(); ++i) {
+    lag_.watch(i, state.p_BF[i], legs_[i].p_BF, !legs_[i].on_ground(), dt);
+    off_[i] = state.p_BF[i] - legs_[i].p_BF;
+  }
+}
+
+// As advance(), without what decides.
+const JointTargets& Executor::coast(const RobotState& state, double dt) noexcept {
+  if (!failed_) go_on(state, dt);
+  if (failed_) hold();
+  return targets_;
+}
+
+void Executor::go_on(const RobotState& state, double dt) noexcept {
+  if (base_follows_)
+    follow_base(state, dt);
+  else
+    brake(base_, dt, params_.base);
+  for (LegId i = 0; i < legs_.size(); ++i) lag_.go_on(i, legs_[i].p_BF, dt);
+  carry_with_ground(state, dt);
+  for (LegId i = 0; i < legs_.size(); ++i) {
+    if (legs_[i].phase == LegPhase::follow)
+      follow(legs_[i], plans_[i], {.contact = !legs_[i].cleared}, state.X_OB, dt, rate_,
+             params_.swing);
+    else
+      hexagait::coast(legs_[i], state.X_OB, dt, params_.swing);
+  }
+  set_joints(state, dt);
+  set_efforts(state, dt);
 }
 
 void Executor::move_legs(const RobotState& state, double dt) noexcept {
   for (LegId i = 0; i < legs_.size(); ++i) {
-    const LegSensed sensed{state.contact[i], tracking_error_[i], reachable_[i]};
+    const LegSensed sensed{state.contact[i], lag_.error(i), reachable_[i], off_[i]};
     if (legs_[i].phase == LegPhase::follow)
       follow(legs_[i], plans_[i], sensed, state.X_OB, dt, rate_, params_.swing);
     else
@@ -192,7 +259,7 @@ LegArray<double> Executor::footing() const noexcept {
   LegArray<double> footing(legs_.size());
   for (LegId i = 0; i < legs_.size(); ++i) {
     const LegLane& lane = legs_[i];
-    footing[i] = lane.on_ground() && lane.without_contact <= 0.0 ? lane.load : 0.0;
+    footing[i] = lane.on_ground() && lane.believed && lane.without_contact <= 0.0 ? lane.load : 0.0;
   }
   return footing;
 }
@@ -260,6 +327,9 @@ void Executor::set_joints(const RobotState& state, double dt) noexcept {
     const LegModel& leg = model_->legs[i];
     LegSolution wanted = wanted_joints(i, state);
     reachable_[i] = wanted.reachable;
+    const bool planned = legs_[i].phase == LegPhase::follow || led_by_joints(i);
+    if (!wanted.reachable && !legs_[i].on_ground() && !planned)
+      take_back(legs_[i], foot_position(leg, wanted.trig), state.X_OB, dt);
 
     // Limit the change to what the servos can do in one tick.
     LegJoints change = wanted.q - targets_.q[i];

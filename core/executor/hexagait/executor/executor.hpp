@@ -4,6 +4,7 @@
 
 #include <hexagait/balance/whole_body.hpp>
 #include <hexagait/executor/base_lane.hpp>
+#include <hexagait/executor/lag_watch.hpp>
 #include <hexagait/executor/leg_lane.hpp>
 #include <hexagait/plant/plant.hpp>
 #include <hexagait/plant/robot_state.hpp>
@@ -73,6 +74,11 @@ class Executor {
   /// One control period: base, legs, joints.
   const JointTargets& advance(const RobotState& state, double dt) noexcept;
 
+  /// A control period without a measurement: base and feet go on as they were and brake, with their
+  /// limits of acceleration, until they rest. Plans go on at their rate.
+  /// @param state  the last one
+  const JointTargets& coast(const RobotState& state, double dt) noexcept;
+
   /// Stops at once: velocities are set to 0, set points kept.
   void hold() noexcept;
 
@@ -94,6 +100,8 @@ class Executor {
   [[nodiscard]] bool failed() const { return failed_; }
   /// Was the program of the contact forces solved in the last tick? Always if kinematic.
   [[nodiscard]] QpStatus contact_forces() const { return contact_forces_; }
+  /// Lag of the drives, as estimated [s].
+  [[nodiscard]] double drive_lag() const { return lag_.lag(); }
   [[nodiscard]] const ExecutorParams& params() const { return params_; }
 
   /// Legs that count as standing.
@@ -106,8 +114,10 @@ class Executor {
   void carry_with_ground(const RobotState& state, double dt) noexcept;
   void move(const RobotState& state, double dt) noexcept;
   void move_base(const RobotState& state, double dt) noexcept;
+  [[nodiscard]] bool drags_a_foot() const noexcept;
   void follow_base(const RobotState& state, double dt) noexcept;
-  void note_tracking(const RobotState& state) noexcept;
+  void go_on(const RobotState& state, double dt) noexcept;
+  void note_tracking(const RobotState& state, double dt) noexcept;
   void move_legs(const RobotState& state, double dt) noexcept;
   void set_joints(const RobotState& state, double dt) noexcept;
   void set_efforts(const RobotState& state, double dt) noexcept;
@@ -125,7 +135,8 @@ class Executor {
   LegArray<LegTrig> trig_;           ///< of the joint targets
   LegArray<LegJoints> last_change_;  ///< of the joint targets in the last tick [rad]
   LegArray<bool> reachable_;
-  LegArray<double> tracking_error_;  ///< of the measured feet from the last set points [m]
+  LagWatch lag_;
+  LegArray<Vector3> off_;  ///< from the last set points to the measured feet [m]
   BaseLane base_;
   BaseAutoCommand base_command_;
   BaseGoal base_goal_;

@@ -318,5 +318,47 @@ TEST(Executor, TellsOdometryHowFarToTrustEachFoot) {
   EXPECT_TRUE(scene.executor.support().contains(3)) << "not yet lost";
 }
 
+// A foothold a metre away, and an apex of a metre: the set point ends where the leg does, is where
+// the joints are, and comes back at once when the next command is within reach.
+TEST(Executor, NeverWindsASetPointUpBeyondTheLegsReach) {
+  const RobotModel robot = argos();
+  for (const double height : {0.1, 1.0}) {
+    Scene scene(robot);
+    const Vector3 start = scene.state.p_OF[0];
+    for (int k = 0; k < 1500; ++k) {
+      const double far = height < 0.5 ? 1.0 : 0.1;
+      scene.executor.command({0, start + Vector3(far, far, 0.0), height}, scene.state);
+      scene.tick();
+      const Vector3 p_BF = foot_position(robot.legs[0], leg_trig(robot.legs[0], scene.state.q[0]));
+      ASSERT_LT((scene.executor.legs()[0].p_BF - p_BF).norm(), 0.04) << height << ", tick " << k;
+      ASSERT_LT(scene.executor.legs()[0].v_O.norm(), 3.0);
+    }
+    EXPECT_LE(scene.executor.legs()[0].retreats, scene.executor.params().swing.max_retreats);
+  }
+}
+
+// A body that is asked to go on for ever: it stops where its standing legs end, and does not drag
+// them. Asked to come back it does.
+TEST(Executor, StopsTheBaseWhereAStandingLegEnds) {
+  const RobotModel robot = argos();
+  for (const Vector2& way : {Vector2(1.0, 0.0), Vector2(0.0, 1.0), Vector2(-0.6, 0.8)}) {
+    Scene scene(robot);
+    BaseAutoCommand base = restless({way, 0.0}, 0);
+    scene.executor.command(base);
+    for (int k = 0; k < 3000; ++k) scene.tick();
+    EXPECT_LT(scene.executor.base().twist().v.norm(), 1e-9);
+    // Braking from 0.6 m/s at 1.2 m/s² takes 15 cm, of which the feet slide.
+    for (LegId i = 0; i < 6; ++i) {
+      const Vector3 p_BF = foot_position(robot.legs[i], leg_trig(robot.legs[i], scene.state.q[i]));
+      EXPECT_LT((scene.executor.legs()[i].p_BF - p_BF).norm(), 0.15 + 1e-3) << i;
+    }
+    base.path.v = -way;
+    scene.executor.command(base);
+    const double before = scene.state.X_OB.p.head<2>().dot(way);
+    for (int k = 0; k < 200; ++k) scene.tick();
+    EXPECT_LT(scene.state.X_OB.p.head<2>().dot(way), before - 0.05);
+  }
+}
+
 }  // namespace
 }  // namespace hexagait

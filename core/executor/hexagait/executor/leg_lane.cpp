@@ -98,27 +98,66 @@ void land(LegLane& lane) {
   lane.v_O.setZero();
   lane.a_O.setZero();
   lane.without_contact = 0.0;
-  lane.with_contact = 0.0;
-  lane.confirmed = false;
+  lane.confirmed = lane.believed = false;
 }
 
-// Moves back and up. The next attempt is higher and, after two, shorter.
-void retreat(LegLane& lane, const SwingParams& params) {
+// Counts how long contact lasts, from its first sample on.
+void feel(LegLane& lane, bool contact, double dt) {
+  lane.with_contact = contact && lane.touching ? lane.with_contact + dt : 0.0;
+  lane.touching = contact;
+}
+
+// Moves back and up. The next attempt is higher and, after two, shorter; after the last one the foot
+// goes back to where it stood. The set point lets go of what blocks the foot: it would push with
+// more than 1 kN and roll the body.
+void retreat(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, const SwingParams& params) {
   enter(lane, LegPhase::retreat);
-  lane.apex_z += params.retreat_up;
+  lane.p_BF += sensed.off;
+  const Vector2 p_OF = (X_OB * lane.p_BF).head<2>(), back = lane.p_OL.head<2>() - p_OF;
+  const double distance = back.norm();
+  lane.back_O = p_OF;
+  if (distance > 0.0) lane.back_O += back * std::min(1.0, params.retreat_back / distance);
+  lane.v_O.setZero();
+  lane.a_O.setZero();
   lane.transfer_clock = 0.0;
   if (++lane.retreats > 2) lane.reach_fraction *= 0.6;
+  if (lane.retreats >= params.max_retreats)
+    lane.reach_fraction = 0.0;
+  else
+    lane.apex_z += params.retreat_up;
+}
+
+bool gives_up(const LegLane& lane, const SwingParams& params) {
+  return lane.retreats >= params.max_retreats;
+}
+
+// Way left to the apex. An apex out of reach is where the leg ends.
+double rise_left(LegLane& lane, const LegSensed& sensed, double height) {
+  const bool above = height > std::max(lane.p_OL.z(), lane.step.p_OT.z());
+  if (!sensed.reachable && above) lane.apex_z = std::min(lane.apex_z, height);
+  return lane.apex_z - height;
+}
+
+// Minimum jerk over h in T has the peak speed 1.875 h/T.
+double rise_time(const LegLane& lane, const SwingParams& params) {
+  return std::max(params.lift_time,
+                  kMinimumJerkPeak * (lane.apex_z - lane.p_OL.z()) / lane.max_rise);
 }
 
 void support(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
              const SwingParams& params) {
+  feel(lane, sensed.contact, dt);
   lane.without_contact = sensed.contact ? 0.0 : lane.without_contact + dt;
+  lane.believed = lane.believed || elapsed(lane.with_contact, params.touch_time);
+  // What touched for an instant only was not the ground: the step goes on.
+  if (!lane.believed && elapsed(lane.without_contact, params.touch_time))
+    return enter(lane, params.reflexes ? LegPhase::descend : LegPhase::search);
+
   const bool lost = lane.without_contact > params.lost_time;
   ramp(lane.load, lost ? 0.0 : 1.0, dt / params.load_time);
-  if (!lane.confirmed) {
-    lane.with_contact = sensed.contact ? lane.with_contact + dt : 0.0;
-    lane.confirmed = lane.touched_down = elapsed(lane.with_contact, params.confirm_time);
-  }
+  if (!lane.confirmed)
+    lane.confirmed = lane.touched_down =
+        lane.load >= 1.0 && elapsed(lane.with_contact, params.confirm_time);
   if (lane.without_contact > (lane.confirmed ? params.regain_time : params.lost_time)) {
     begin_step(lane, params.reflexes ? LegPhase::descend : LegPhase::search, X_OB);
     lane.cleared = lane.lost = true;
@@ -144,21 +183,24 @@ Vector3 swing(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_O
   const double risen = height + 0.5 * dt * lane.v_O.z() - lane.p_OL.z();
   const bool sideways =
       lane.transfer_clock > 0.0 || risen > params.clearance_share * lane.step.profile_height;
-  const double rise_left = lane.apex_z - height;
+  const double up = rise_left(lane, sensed, height);
   lane.cleared = lane.cleared || !sensed.contact;
+  feel(lane, sensed.contact, dt);
 
   Vector3 way_O = Vector3::Zero();
   if (sideways) move_sideways(lane, way, dt, params, way_O);
-  move_to(lane, 2, rise_left, params.lift_time - (lane.time - dt), dt, way_O);
+  move_to(lane, 2, up, rise_time(lane, params) - (lane.time - dt), dt, way_O);
 
-  const bool blocked = sensed.contact || sensed.tracking_error > params.blocked_error;
-  if (sideways && lane.cleared && blocked) {
-    retreat(lane, params);
+  const bool blocked = (sensed.contact && elapsed(lane.with_contact, params.touch_time)) ||
+                       sensed.tracking_error > params.blocked_error;
+  if (sideways && lane.cleared && blocked && !gives_up(lane, params)) {
+    retreat(lane, sensed, X_OB, params);
+    return Vector3::Zero();
   } else if (lane.phase == LegPhase::lift && sideways) {
     lane.phase = LegPhase::transfer;  // without enter(): lane.time still paces the rise
-  } else if (lane.phase == LegPhase::transfer &&
+  } else if (lane.phase == LegPhase::transfer && !sensed.contact &&
              time_to_go(lane, way.norm(), params) - 0.5 * dt < params.overlap_time &&
-             rise_left < 0.3 * lane.step.profile_height) {
+             up < 0.3 * lane.step.profile_height) {
     enter(lane, LegPhase::descend);
   }
   return way_O;
@@ -169,11 +211,13 @@ Vector3 descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X
   const double height = height_of(lane, X_OB);
   Vector3 way_O = Vector3::Zero();
   lane.cleared = lane.cleared || !sensed.contact;
+  feel(lane, sensed.contact, dt);
   const bool found = sensed.contact && lane.cleared;
   if (found) return land(lane), way_O;
-  if (!sensed.reachable || sensed.tracking_error > params.blocked_error) {
+  const bool blocked = !sensed.reachable || sensed.tracking_error > params.blocked_error;
+  if (blocked && !gives_up(lane, params)) {
     lane.reach_fraction *= 0.6;
-    return retreat(lane, params), way_O;
+    return retreat(lane, sensed, X_OB, params), way_O;
   }
 
   // Straight down over the last centimetres, so that the foot does not slide.
@@ -207,7 +251,9 @@ void follow_curve(LegLane& lane, LegPlan& plan, const Pose& X_OB, double dt, dou
 // Moves against the surface normal until there is contact.
 Vector3 search(LegLane& lane, const LegSensed& sensed, double dt, const SwingParams& params) {
   lane.cleared = lane.cleared || !sensed.contact;
-  if (sensed.contact && lane.cleared) return land(lane), Vector3::Zero();
+  feel(lane, sensed.contact, dt);
+  const bool found = lane.cleared || elapsed(lane.with_contact, params.touch_time);
+  if (sensed.contact && found) return land(lane), Vector3::Zero();
   if (!sensed.reachable || lane.time > params.search_time) {
     lane.exhausted = true;
     return enter(lane, LegPhase::hold), Vector3::Zero();
@@ -222,15 +268,13 @@ Vector3 search(LegLane& lane, const LegSensed& sensed, double dt, const SwingPar
   return dt * before + change * (along.way / size);
 }
 
-Vector3 step_back(LegLane& lane, double dt, const Pose& X_OB, const SwingParams& params) {
-  const Vector2 back = (lane.p_OL - X_OB * lane.p_BF).head<2>();
-  const double distance = back.norm();
-  const Vector2 way = distance > 0.0 ? Vector2(back * std::min(1.0, params.retreat_back / distance))
-                                     : Vector2::Zero();
+Vector3 step_back(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
+                  const SwingParams& params) {
+  const Vector2 way = lane.back_O - (X_OB * lane.p_BF).head<2>();
   const double T = params.retreat_time - (lane.time - dt);
   Vector3 way_O = Vector3::Zero();
   for (int k = 0; k < 2; ++k) move_to(lane, k, way[k], T, dt, way_O);
-  move_to(lane, 2, lane.apex_z - height_of(lane, X_OB), T, dt, way_O);
+  move_to(lane, 2, rise_left(lane, sensed, height_of(lane, X_OB)), T, dt, way_O);
   if (elapsed(lane.time, params.retreat_time)) {
     enter(lane, LegPhase::transfer);
     lane.cleared = false;
@@ -288,6 +332,7 @@ void follow(LegLane& lane, LegPlan& plan, const LegSensed& sensed, const Pose& X
   lane.lifted = lane.touched_down = false;
   ramp(lane.load, 0.0, dt / params.unload_time);
   lane.cleared = lane.cleared || !sensed.contact;
+  feel(lane, sensed.contact, dt);
   lane.time = std::min(lane.time + rate * dt, plan.duration);
   if (plan.kind == LegPlan::Kind::foot) follow_curve(lane, plan, X_OB, dt, rate, params);
   if (plan.kind == LegPlan::Kind::keep) lane.v_O.setZero();
@@ -306,6 +351,7 @@ void interrupt(LegLane& lane, bool to_stand) noexcept {
   if (lane.phase == LegPhase::unload) {
     enter(lane, LegPhase::support);
     lane.with_contact = lane.without_contact = 0.0;
+    lane.touching = true;
     lane.confirmed = false;
   }
   if (lane.phase != LegPhase::follow) return;
@@ -332,7 +378,7 @@ void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt
       way_O = descend(lane, sensed, dt, X_OB, params);
       break;
     case LegPhase::retreat:
-      way_O = step_back(lane, dt, X_OB, params);
+      way_O = step_back(lane, sensed, dt, X_OB, params);
       break;
     case LegPhase::search:
       way_O = search(lane, sensed, dt, params);
@@ -345,6 +391,16 @@ void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt
   }
   if (lane.phase != LegPhase::support) ramp(lane.load, 0.0, dt / params.unload_time);
   lane.p_BF += X_OB.R.transpose() * way_O;
+}
+
+void coast(LegLane& lane, const Pose& X_OB, double dt, const SwingParams& params) noexcept {
+  lane.lifted = lane.touched_down = false;
+  lane.a_O *= 1.0 - decay_share(dt / kMinTimeToGo);
+  const double speed = lane.v_O.norm();
+  if (lane.on_ground() || speed <= 0.0) return;
+  const AxisMotion motion = slewing_tick(speed, 0.0, params.vertical_acceleration, dt);
+  lane.p_BF += X_OB.R.transpose() * (lane.v_O * (motion.way / speed));
+  lane.v_O *= motion.v / speed;
 }
 
 }  // namespace hexagait

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <hexagait/executor/commands.hpp>
 #include <hexagait/executor/leg_plan.hpp>
+#include <limits>
 
 namespace hexagait {
 
@@ -27,9 +28,10 @@ enum class LegPhase : std::uint8_t {
 struct SwingParams {
   /// Time in which a leg hands its load over before lifting [s]. Shorter: the foot slides.
   double unload_time = 0.04;
-  /// Time in which a landed leg takes its full load [s].
-  double load_time = 0.04;
-  /// Time from leaving the ground to the apex [s].
+  /// Time in which a landed leg takes its full load [s]. It counts as support when it has it, so
+  /// longer than confirm_time costs speed. Shorter: the load of the feet jumps.
+  double load_time = 0.02;
+  /// Time from leaving the ground to the apex [s]; longer where the joints' speed requires it.
   double lift_time = 0.20;
   /// Fraction of the profile height from which the foot moves sideways. Smaller: faster, but the
   /// foot hits edges beside it more often.
@@ -49,10 +51,17 @@ struct SwingParams {
   double commit_height = 0.03;
   double retreat_back = 0.03;  ///< distance moved back after a collision [m]
   double retreat_up = 0.05;    ///< rise after a collision [m]
-  /// Distance between the foot and its set point that counts as a collision: a shin against an edge
-  /// stops the leg without a contact at its foot [m].
+  /// Distance between the foot and where its drive, with its lag, would have it, that counts as a
+  /// collision: a shin against an edge stops the leg without a contact at its foot [m].
   double blocked_error = 0.03;
   double retreat_time = 0.15;  ///< [s]
+  /// Collisions in one step after which the foot goes back to where it stood, and stays down. Each
+  /// try costs half a second, in which its neighbours wait.
+  int max_retreats = 5;
+  /// Duration of contact before it is believed: before a foot on its way counts as blocked, and
+  /// before one that has landed takes load. A contact that ends sooner was none, and the step goes
+  /// on. Shorter: false contacts end steps. Longer: what blocks a foot is pushed for longer [s].
+  double touch_time = 0.01;
   /// Duration of contact after which a landed foot counts as support; until then its neighbours
   /// stay down. Shorter: feet that bounce or scrape along an edge are trusted, and the body drops
   /// when the neighbours lift [s].
@@ -76,17 +85,22 @@ struct LegLane {
   double time = 0.0;               ///< in this phase [s]
   double load = 1.0;               ///< fraction of its load that it carries, 0 … 1
   double without_contact = 0.0;    ///< time since contact was lost [s]
-  double with_contact = 0.0;       ///< duration of contact, until confirmed [s]
+  double with_contact = 0.0;       ///< duration of the present contact [s]
+  bool touching = true;            ///< there was contact at the last tick
+  bool believed = true;            ///< since the foot landed, contact has lasted for touch_time
   bool confirmed = true;           ///< contact has lasted for confirm_time
   Vector3 p_BF = Vector3::Zero();  ///< set point of the foot, body frame [m]
-  Vector3 v_O = Vector3::Zero();   ///< its velocity over the ground, axes of odom [m/s]
-  Vector3 a_O = Vector3::Zero();   ///< its acceleration over the ground, axes of odom [m/s²]
-  FootstepCommand step;            ///< the command being executed
-  Vector3 p_OL = Vector3::Zero();  ///< where the foot left the ground, odom [m]
-  double transfer_clock = 0.0;     ///< time since the sideways motion began [s]
-  double apex_z = 0.0;             ///< height of the apex, odom [m]
-  bool cleared = false;            ///< contact has been lost since the lift
-  int retreats = 0;                ///< collisions of this step
+  /// Bound of its upward speed, by the speed of the joints [m/s].
+  double max_rise = std::numeric_limits<double>::infinity();
+  Vector3 v_O = Vector3::Zero();     ///< its velocity over the ground, axes of odom [m/s]
+  Vector3 a_O = Vector3::Zero();     ///< its acceleration over the ground, axes of odom [m/s²]
+  FootstepCommand step;              ///< the command being executed
+  Vector3 p_OL = Vector3::Zero();    ///< where the foot left the ground, odom [m]
+  Vector2 back_O = Vector2::Zero();  ///< where a retreat goes, odom [m]
+  double transfer_clock = 0.0;       ///< time since the sideways motion began [s]
+  double apex_z = 0.0;               ///< height of the apex, odom [m]
+  bool cleared = false;              ///< contact has been lost since the lift
+  int retreats = 0;                  ///< collisions of this step
   double reach_fraction =
       1.0;                    ///< of the distance to the foothold, reduced when it is not reachable
   bool touched_down = false;  ///< counts as support from this tick on
@@ -120,8 +134,9 @@ struct LegLane {
 /// What a lane is told about its leg in a tick.
 struct LegSensed {
   bool contact = false;
-  double tracking_error = 0.0;  ///< distance of the measured foot from its set point [m]
-  bool reachable = true;        ///< the last set point was within the leg's reach
+  double tracking_error = 0.0;    ///< distance from where a drive with lag has its foot [m]
+  bool reachable = true;          ///< the last set point was within the leg's reach
+  Vector3 off = Vector3::Zero();  ///< from the set point to the measured foot, body frame [m]
 };
 
 /// Starts a step, or replaces the target of the present one.
@@ -146,5 +161,9 @@ void interrupt(LegLane& lane, bool to_stand) noexcept;
 /// @pre the set point has already been moved with the ground
 void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt,
              const SwingParams& params) noexcept;
+
+/// A tick without a measurement: the foot goes on, and its velocity over the ground falls to 0 with
+/// SwingParams::vertical_acceleration. Nothing is decided, and the time of the motion stands still.
+void coast(LegLane& lane, const Pose& X_OB, double dt, const SwingParams& params) noexcept;
 
 }  // namespace hexagait

@@ -12,7 +12,7 @@ namespace {
 // Keeps the rotation defined when fewer than three feet stand; negligible with three [m²].
 constexpr double kRegularisation = 1e-6;
 
-// The change of distances at which the weight of a foot is halved, ε of (odometry 3) [m].
+// The change of distances at which the weight of a foot is halved, ε₀ of (odometry 3) [m].
 constexpr double kSlideTolerance = 0.001;
 
 // Feet that are within this of a line are in a row [m].
@@ -50,6 +50,12 @@ Pose registered(const Pose& X, const LegArray<Vector3>& p_BF, const LegArray<Vec
   return {R, centroid + residual + R * (X.R.transpose() * (X.p - centroid))};
 }
 
+// Of so many standard deviations of what noise alone makes, no foot slides.
+constexpr double kNoiseFactor = 5.0;
+
+// The noise is the mean over some so many samples.
+constexpr double kNoiseShare = 0.01;
+
 // Squared change of the distance between two feet since they touched down [m²].
 double change2(const Vector3& now, const Vector3& then) {
   const double now2 = now.squaredNorm(), then2 = then.squaredNorm();
@@ -61,7 +67,7 @@ double change2(const Vector3& now, const Vector3& then) {
 // nothing: legs stand in rows, and a slide across a row changes no distance within the row. Up to
 // m/2 − 1 sliding feet leave the weights of the standing feet as they are.
 LegArray<double> without_sliding(const LegArray<double>& footing, const LegArray<Vector3>& p_BF,
-                                 const LegArray<Vector3>& anchor_O) {
+                                 const LegArray<Vector3>& anchor_O, double tolerance2) {
   std::array<LegId, kMaxLegs> standing{};
   std::size_t m = 0;
   for (LegId i = 0; i < p_BF.size(); ++i)
@@ -81,7 +87,7 @@ LegArray<double> without_sliding(const LegArray<double>& footing, const LegArray
     double* const row = change[a].data();
     double* const judge = row + m / 2 - 1;
     std::nth_element(row, judge, row + m - 1);
-    const double ratio2 = *judge / (kSlideTolerance * kSlideTolerance);
+    const double ratio2 = *judge / tolerance2;
     trust[standing[a]] /= 1.0 + ratio2 * ratio2;
   }
   return trust;
@@ -118,6 +124,10 @@ void Odometry::reset(RobotState& state, RestsOn rests_on) {
   anchor_O_ = state.p_OF;
   q_before_ = state.q;
   trig_before_ = state.trig;
+  p_before_ = state.p_BF;
+  step_before_ = LegArray<Vector3>(n, Vector3::Zero());
+  noise2_ = 0.0;
+  noise_samples_ = -n;  // the first tick has no difference to one before
   X_OB_ = state.X_OB;
 }
 
@@ -152,7 +162,9 @@ void Odometry::update(RobotState& state, const LegArray<double>& footing, double
   for (LegId i = 0; i < n; ++i)
     if (footing[i] > 0.0) roll(state, i, state.V_B.w * dt, up_B);
 
-  const LegArray<double> trust = without_sliding(footing, state.p_BF, anchor_O_);
+  measure_noise(state, footing);
+  const LegArray<double> trust =
+      without_sliding(footing, state.p_BF, anchor_O_, slide_tolerance2());
   const Pose X_OB = registered(X_OB_, state.p_BF, anchor_O_, trust);
   state.V_B = twist_between(X_OB_, X_OB, dt);
   state.X_OB = X_OB_ = X_OB;
@@ -167,6 +179,23 @@ void Odometry::update(RobotState& state, const LegArray<double>& footing, double
     q_before_[i] = state.q[i];
     trig_before_[i] = state.trig[i];
   }
+}
+
+// (odometry 4). A standing foot moves smoothly, so its second differences are noise.
+void Odometry::measure_noise(const RobotState& state, const LegArray<double>& footing) noexcept {
+  for (LegId i = 0; i < state.p_BF.size(); ++i) {
+    const Vector3 step = state.p_BF[i] - p_before_[i];
+    if (footing[i] >= 1.0 && ++noise_samples_ > 0)
+      noise2_ += std::max(kNoiseShare, 1.0 / static_cast<double>(noise_samples_)) *
+                 ((step - step_before_[i]).squaredNorm() / 6.0 - noise2_);
+    p_before_[i] = state.p_BF[i];
+    step_before_[i] = step;
+  }
+}
+
+// Two feet, each with a third of its variance along the line between them.
+double Odometry::slide_tolerance2() const noexcept {
+  return kSlideTolerance * kSlideTolerance + kNoiseFactor * kNoiseFactor * 2.0 / 3.0 * noise2_;
 }
 
 // (odometry 2), over one tick.

@@ -19,6 +19,12 @@ namespace hexagait {
 ///
 ///     ṗ_OF = ω_tibia × ρ n                                                            (odometry 2)
 ///
+/// Joints are noisy, and a foot must not seem to slide for that: ε grows with the noise of the feet,
+/// which shows in the second differences of those that stand,
+///
+///     ε² = ε₀² + 25 · ⅔ σ²,   σ² ← mean of |p_k − 2 p_k₋₁ + p_k₋₂|² / 6                (odometry 4)
+///
+/// Without it, footholds that seem to slide follow the noise, and the pose strays with them.
 /// Without (odometry 2), a tibia that turns by 15° on a foot of 2 cm would look like 5 mm of slip.
 /// Odometry does not sense gravity: it assumes that the robot starts on level ground.
 /// The robot model must outlive the odometry.
@@ -41,12 +47,17 @@ class Odometry {
 
  private:
   [[nodiscard]] Pose pose_over_feet(const RobotState& state) const;
+  void measure_noise(const RobotState& state, const LegArray<double>& footing) noexcept;
+  [[nodiscard]] double slide_tolerance2() const noexcept;
   void roll(RobotState& state, LegId leg, const Vector3& rotation_B, const Vector3& up_B) noexcept;
 
   const RobotModel* model_;
   LegArray<Vector3> anchor_O_;    ///< footholds [m]
   LegArray<LegJoints> q_before_;  ///< joints of the previous update [rad]
   LegArray<LegTrig> trig_before_;
+  LegArray<Vector3> p_before_, step_before_;  ///< feet in the body, and their last way [m]
+  double noise2_ = 0.0;                       ///< σ² of (odometry 4) [m²]
+  long noise_samples_ = 0;                    ///< that it is the mean of
   Pose X_OB_;
 };
 

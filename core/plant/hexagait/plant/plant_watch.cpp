@@ -51,6 +51,7 @@ bool PlantWatch::accepts(PlantStatus status, const Measurement& measurement,
   else if (!valid(measurement, model))
     stop(Fault::bad_measurement);
   if (fault_ != Fault::none) return false;
+  elapsed_ = silence_ + dt;
   silence_ = 0.0;
   holding_ = false;
   return true;

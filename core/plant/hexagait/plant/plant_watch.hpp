@@ -44,10 +44,14 @@ class PlantWatch {
   [[nodiscard]] Fault fault() const { return fault_; }
   [[nodiscard]] bool holding() const { return holding_; }  ///< the last measurement was late
 
+  /// Time from the measurement before to the last one that was accepted [s].
+  [[nodiscard]] double elapsed() const { return elapsed_; }
+
  private:
   Fault fault_ = Fault::none;
   bool holding_ = false;
   double silence_ = 0.0;  ///< time since the last fresh measurement [s]
+  double elapsed_ = 0.0;
 };
 
 }  // namespace hexagait

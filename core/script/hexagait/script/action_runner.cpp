@@ -47,17 +47,25 @@ const ActionRecord& ActionRunner::tick(PlantStatus status,
   const double dt = params_.control_dt;
   if (watch_.accepts(status, measurement, *model_, dt, params_.late_limit)) {
     record_.measurement = measurement;
-    estimator_.update(record_.state, measurement, executor_, dt);
+    estimator_.update(record_.state, measurement, executor_, watch_.elapsed());
     sequencer_.update(executor_, record_.state, frames_, dt);
     executor_.advance(record_.state, dt);
     if (executor_.failed()) watch_.stop(Fault::bad_command);
   } else {
-    executor_.hold();
+    stand_by(dt);
     if (watch_.fault() == Fault::not_started) return wait_for_start(measurement);
   }
   if (watch_.fault() != Fault::none) sequencer_.give_up();
   report();
   return record_;
+}
+
+// A tick without a measurement: plans are paused as by pause(), everything else coasts.
+void ActionRunner::stand_by(double dt) noexcept {
+  const Fault fault = watch_.fault();
+  if (fault != Fault::none && fault != Fault::plant_late) return executor_.hold();
+  sequencer_.coast(executor_, dt);
+  executor_.coast(record_.state, dt);
 }
 
 const ActionRecord& ActionRunner::wait_for_start(const Measurement& measurement) noexcept {

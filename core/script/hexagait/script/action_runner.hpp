@@ -88,6 +88,7 @@ class ActionRunner {
 
  private:
   const ActionRecord& wait_for_start(const Measurement& measurement) noexcept;
+  void stand_by(double dt) noexcept;
   void report() noexcept;
 
   const RobotModel* model_;

@@ -197,10 +197,18 @@ void Sequencer::end_action() noexcept {
 
 // A pause ramps the rate of all plans' time to 0.
 void Sequencer::set_rate(Executor& executor, double dt) noexcept {
-  const double wish = paused_ || regaining_ ? 0.0 : 1.0;
+  ramp_rate(executor, dt, paused_ || regaining_ ? 0.0 : 1.0);
+}
+
+void Sequencer::ramp_rate(Executor& executor, double dt, double wish) noexcept {
   const double most = dt / params_.pause_time;
   rate_ += std::clamp(wish - rate_, -most, most);
   executor.set_rate(rate_);
+}
+
+void Sequencer::coast(Executor& executor, double dt) noexcept {
+  ramp_rate(executor, dt, 0.0);
+  if (active_ && !stopping_) elapsed_ += rate_ * dt;
 }
 
 void Sequencer::report(const Executor& executor) noexcept {

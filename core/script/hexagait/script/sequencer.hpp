@@ -77,6 +77,9 @@ class Sequencer {
   void update(Executor& executor, const RobotState& state, const Frames& frames,
               double dt) noexcept;
 
+  /// A tick without a measurement: the plans slow down, as in a pause.
+  void coast(Executor& executor, double dt) noexcept;
+
   [[nodiscard]] const ActionFeedback& feedback() const { return feedback_; }
   /// Result of the last action that ended.
   [[nodiscard]] const ActionResult& result() const { return result_; }
@@ -93,6 +96,7 @@ class Sequencer {
   void advance_stop(Executor& executor, double dt) noexcept;
   void watch(const Executor& executor, double dt) noexcept;
   void set_rate(Executor& executor, double dt) noexcept;
+  void ramp_rate(Executor& executor, double dt, double wish) noexcept;
   void end_action() noexcept;
   void report(const Executor& executor) noexcept;
   [[nodiscard]] bool step_done(const Executor& executor) const noexcept;
