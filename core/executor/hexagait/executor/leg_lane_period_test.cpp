@@ -155,9 +155,12 @@ TEST(SwingPeriod, SearchesAtTheSameSpeed) {
       ASSERT_LE((lane.v_O - v).norm(), params.vertical_acceleration * dt * (1.0 + 1e-9));
       ASSERT_GE(lane.v_O.z(), -params.search_speed - 1e-12);
     }
-    // v from 0.1 to −0.15 at (6 · 0.25/0.32) m/s² in 0.053 s, then at 0.15 m/s.
-    const double slew = std::hypot(0.2, 0.25) / 6.0;
-    EXPECT_NEAR(t, slew + (0.05 + 0.5 * (0.1 - 0.15) * slew) / 0.15, 1.5 * dt) << dt;
+    // v from 0.1 to −0.08 at (6 · 0.18/0.27) m/s² in 0.045 s; at 0.08 m/s until 6 mm would have been
+    // made at that speed, 0.075 s; to 0.15 m/s in 0.012 s, and on at that. Either change of speed
+    // and the contact come within a period of their time.
+    const double first = std::hypot(0.2, 0.18) / 6.0, slow = 0.006 / 0.08, second = 0.07 / 6.0;
+    const double risen = 0.01 * first - 0.08 * (slow - first) - 0.115 * second;
+    EXPECT_NEAR(t, slow + second + (0.05 + risen) / 0.15, 2.0 * dt) << dt;
   }
 }
 
