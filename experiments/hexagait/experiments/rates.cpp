@@ -4,7 +4,6 @@
 // The controller at 1000 to 50 Hz: ten headings on flat ground at each control period, and boxes at
 // some. The physics step is at most 2 ms.
 #include <fmt/format.h>
-#include <fmt/ostream.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,17 +22,6 @@ void set_period(std::vector<JudgedWalk>& walks, double control_dt) {
     walk.simulation.control_dt = control_dt;
     walk.simulation.physics_dt = recording::physics_step_for(control_dt);
   }
-}
-
-void write_table(std::ostream& out, std::span<const std::vector<JudgedWalk>> groups) {
-  out << "control_period_s,group,walk,seconds_s,distance_m,turned_rad,speed_m_s,lateral_mean_m,"
-         "lateral_max_m,slip_p95_m,contact_losses,neighbour_flight_s,arrived,fell,stuck,hash\n";
-  for (const auto& walks : groups)
-    for (const auto& [group, name, simulation, bound, s] : walks)
-      fmt::print(out, "{},{},{},{},{},{},{},{},{},{},{},{},{:d},{:d},{:d},{:016x}\n",
-                 simulation.control_dt, group, name, s.seconds, s.distance, s.turned, s.speed,
-                 s.lateral_mean, s.lateral_max, s.slip_p95, s.contact_losses, s.neighbour_flight,
-                 s.arrived, s.fell, s.stuck, s.state_hash);
 }
 
 }  // namespace
@@ -96,8 +84,7 @@ Outcome rates(const ExperimentContext& context, figures::StagedFiles& files) {
     for (std::size_t k = groups.size() - 2; k < groups.size(); ++k) set_period(groups[k], period);
   }
   if (!walk_all(context, groups)) return {};
-  std::ofstream table = files.create("rates.csv");
-  write_table(table, groups);
+  files.write("rates.csv", table(groups).text());
 
   for (std::size_t k = 0; k < periods.size(); ++k)
     rated.push_back({periods[k], groups[2 * k], groups[2 * k + 1]});

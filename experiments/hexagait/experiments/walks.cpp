@@ -4,7 +4,6 @@
 // The walks by which we judge the controller: ten headings on flat ground, twenty random starting
 // postures, headings that change every second, and random terrain. A table with a row per walk.
 #include <fmt/format.h>
-#include <fmt/ostream.h>
 
 #include <algorithm>
 #include <atomic>
@@ -57,20 +56,6 @@ std::vector<Walk> random_commands(std::uint64_t count, double seconds) {
   });
 }
 
-void write_table(std::ostream& out, const std::vector<std::vector<Walk>>& groups) {
-  out << "group,walk,seconds_s,distance_m,turned_rad,speed_m_s,lateral_mean_m,lateral_max_m,"
-         "heading_max_rad,slip_mean_m,slip_p95_m,margin_min_m,roll_max_rad,pitch_max_rad,steps,"
-         "tripod_after_steps,rule1_violations,neighbour_flight_s,contact_losses,fell,stuck,hash\n";
-  for (const auto& walks : groups)
-    for (const auto& [group, name, simulation, bound, s] : walks)
-      fmt::print(out,
-                 "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:d},{:d},{:016x}\n",
-                 group, name, s.seconds, s.distance, s.turned, s.speed, s.lateral_mean,
-                 s.lateral_max, s.heading_max, s.slip_mean, s.slip_p95, s.margin_min, s.roll_max,
-                 s.pitch_max, s.steps, s.tripod_after_steps.value_or(-1), s.rule1_violations,
-                 s.neighbour_flight, s.contact_losses, s.fell, s.stuck, s.state_hash);
-}
-
 // Walked for as long as asked.
 Check to_the_end(std::span<const Walk> walks) {
   return {{"walks that went on to their end", share_of(walks,
@@ -117,6 +102,31 @@ std::vector<walk::Summary> summaries(std::span<const Walk> walks) {
 Check none_stuck(std::span<const Walk> walks) {
   return {{"walks that got stuck", share_of(walks, [](const Walk& w) { return w.summary.stuck; })},
           exactly(0.0)};
+}
+
+// What ./run walks, with other seeds.
+std::vector<Walk> first_walks(std::uint64_t count, double seconds) {
+  return seeds("first walk", count, [=](std::uint64_t) {
+    recording::Simulation simulation = flat(Heading::arc(3.0, 0.0), seconds);
+    simulation.terrain = sim3d::parse_terrain("boxes:0.10");
+    return simulation;
+  });
+}
+
+figures::Csv table(std::span<const std::vector<Walk>> groups) {
+  figures::Csv table(
+      "group,walk,control_period_s,seconds_s,distance_m,turned_rad,speed_m_s,lateral_mean_m,"
+      "lateral_max_m,heading_max_rad,slip_mean_m,slip_p95_m,margin_min_m,roll_max_rad,"
+      "pitch_max_rad,steps,tripod_after_steps,rule1_violations,neighbour_flight_s,contact_losses,"
+      "real_contact_losses,arrived,fell,stuck,hash");
+  for (const auto& walks : groups)
+    for (const auto& [group, name, simulation, bound, s] : walks)
+      table.row(group, name, simulation.control_dt, s.seconds, s.distance, s.turned, s.speed,
+                s.lateral_mean, s.lateral_max, s.heading_max, s.slip_mean, s.slip_p95, s.margin_min,
+                s.roll_max, s.pitch_max, s.steps, s.tripod_after_steps.value_or(-1),
+                s.rule1_violations, s.neighbour_flight, s.contact_losses, s.real_contact_losses,
+                s.arrived, s.fell, s.stuck, fmt::format("{:016x}", s.state_hash));
+  return table;
 }
 
 bool walk_all(const ExperimentContext& context, std::span<std::vector<Walk>> groups) {
@@ -209,23 +219,47 @@ Verdict judge_terrain(std::span<const Walk> walks) {
           .remark = fmt::format("{:.3f} m/s", statistics::estimate(speed).mean)};
 }
 
+Verdict judge_first_walk(std::span<const Walk> walks) {
+  const auto mean = [&](auto value) { return statistics::estimate(each(walks, value)); };
+  const Measured off("mean distance from the path", "cm",
+                     mean([](const Walk& w) { return 1e2 * w.summary.lateral_mean; }));
+  const Measured flight("two neighbours off the ground", "s",
+                        mean([](const Walk& w) { return w.summary.neighbour_flight; }));
+  const auto per_step = [](int count, const Walk& w) {
+    return static_cast<double>(count) / w.summary.steps;
+  };
+  const Measured losses(
+      "contacts lost per step, for over 20 ms or by over 5 mm", "",
+      mean([&](const Walk& w) { return per_step(w.summary.real_contact_losses, w); }),
+      fmt::format("{:.2f} with bounces",
+                  mean([&](const Walk& w) { return per_step(w.summary.contact_losses, w); }).mean));
+  return {
+      .claim = fmt::format("The walk of `./run`, {} s of boxes:0.10 with r = 3 m, {} seeds",
+                           walks.front().simulation.trial.seconds, walks.size()),
+      .safety = no_fall(summaries(walks)),
+      .checks = {
+          none_stuck(walks), {off, at_most(3.0)}, {flight, at_most(0.1)}, {losses, at_most(0.1)}}};
+}
+
 Outcome walks(const ExperimentContext& context, figures::StagedFiles& files) {
   const bool brief = context.short_form;
   std::vector<std::vector<Walk>> groups = {
-      ten_headings(brief ? 6.0 : 40.0), postures(brief ? 3 : 20),
+      ten_headings(brief ? 6.0 : 40.0),
+      postures(brief ? 3 : 20),
       random_commands(brief ? 1 : 5, brief ? 20.0 : 120.0),
       over_terrain("boxes:0.10", brief ? 2 : 20, brief ? 1.0 : 5.0),
-      over_terrain("steps:0.10", brief ? 2 : 20, brief ? 1.0 : 5.0)};
+      over_terrain("steps:0.10", brief ? 2 : 20, brief ? 1.0 : 5.0),
+      first_walks(brief ? 1 : 20, brief ? 5.0 : 30.0)};
   if (!walk_all(context, groups)) return {};
-  std::ofstream table = files.create("walks.csv");
-  write_table(table, groups);
+  files.write("walks.csv", table(groups).text());
 
   std::size_t count = 0;
   for (const auto& group : groups) count += group.size();
   return {.verdicts = {judge_headings(groups[0], farthest_workspace(*context.robot)),
                        judge_postures(groups[1]), judge_commands(groups[2]),
                        judged_in_full_only(judge_terrain(groups[3]), brief),
-                       judged_in_full_only(judge_terrain(groups[4]), brief)},
+                       judged_in_full_only(judge_terrain(groups[4]), brief),
+                       judged_in_full_only(judge_first_walk(groups[5]), brief)},
           .settings = {{"robot", context.robot->name}, {"walks", std::to_string(count)}}};
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <hexagait/experiments/experiment.hpp>
+#include <hexagait/figures/csv.hpp>
 #include <hexagait/recording/simulation.hpp>
 #include <span>
 
@@ -29,6 +30,9 @@ struct JudgedWalk {
 [[nodiscard]] bool walk_all(const ExperimentContext& context,
                             std::span<std::vector<JudgedWalk>> groups);
 
+/// A row for each walk.
+[[nodiscard]] figures::Csv table(std::span<const std::vector<JudgedWalk>> groups);
+
 [[nodiscard]] std::vector<walk::Summary> summaries(std::span<const JudgedWalk> walks);
 [[nodiscard]] Check none_stuck(std::span<const JudgedWalk> walks);
 
@@ -52,5 +56,8 @@ struct JudgedWalk {
 
 /// Straight on over rough ground, as far as asked.
 [[nodiscard]] Verdict judge_terrain(std::span<const JudgedWalk> walks);
+
+/// The walk of `./run`, an arc over boxes, of several seeds.
+[[nodiscard]] Verdict judge_first_walk(std::span<const JudgedWalk> walks);
 
 }  // namespace hexagait::experiments

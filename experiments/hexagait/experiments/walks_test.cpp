@@ -95,5 +95,23 @@ TEST(JudgeTerrain, WantsAllToArriveNearThePath) {
   EXPECT_EQ(bench.word([](auto& s) { s.lateral_mean = 0.2; }), "FAILS");
 }
 
+TEST(JudgeFirstWalk, WantsThePathNoFlightAndFeetThatStay) {
+  const auto word = [](auto change) {
+    std::vector<JudgedWalk> walks(3, well_walked("first walk"));
+    for (JudgedWalk& walk : walks) {
+      walk.summary.steps = 50;
+      change(walk.summary);
+    }
+    return judge_first_walk(walks).word();
+  };
+  EXPECT_EQ(word([](auto&) {}), "holds");
+  EXPECT_EQ(word([](auto& s) { s.fell = true; }), "FAILS");
+  EXPECT_EQ(word([](auto& s) { s.stuck = true; }), "FAILS");
+  EXPECT_EQ(word([](auto& s) { s.lateral_mean = 0.031; }), "FAILS");
+  EXPECT_EQ(word([](auto& s) { s.neighbour_flight = 0.11; }), "FAILS");
+  EXPECT_EQ(word([](auto& s) { s.real_contact_losses = 6; }), "FAILS");
+  EXPECT_EQ(word([](auto& s) { s.contact_losses = 40; }), "holds") << "bounces";
+}
+
 }  // namespace
 }  // namespace hexagait::experiments
