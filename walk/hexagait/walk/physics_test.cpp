@@ -238,13 +238,14 @@ Summary rough_walk(const Rough& rough, const char* terrain, double dt, double se
   return run_trial(walker, plant, world.truth(), options);
 }
 
-// Any control period, and drives as they are: 80 % of the speed of the ideal ones at 2 ms.
+// Any control period: in each step of 0.87 s contact is seen half a period late on average, and the
+// neighbours hear of it one later. Slow drives: 80 % of the speed of the ideal ones at 2 ms.
 TEST(RoughPhysics, WalksWithSlowDrivesAtAnyControlPeriod) {
   const double ideal = rough_walk({}, "flat", 0.002, 20.0).speed;
   for (const double dt : {0.002, 0.01, 0.02}) {
     const Summary plain = rough_walk({}, "flat", dt, 20.0);
     EXPECT_TRUE(plain.ok());
-    EXPECT_GT(plain.speed, 0.97 * ideal) << dt;
+    EXPECT_GT(plain.speed, (1.0 - 1.5 * dt / 0.87) * ideal) << dt;
     EXPECT_LT(plain.lateral_mean, 0.005);
     for (const Rough& rough :
          {Rough{.lag = 0.02}, Rough{.lag = 0.04}, Rough{.positions_only = true}}) {

@@ -149,11 +149,11 @@ void support(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB
   feel(lane, sensed.contact, dt);
   lane.without_contact = sensed.contact ? 0.0 : lane.without_contact + dt;
   lane.believed = lane.believed || elapsed(lane.with_contact, params.touch_time);
+  const bool lost = lane.without_contact > params.lost_time;
   // What touched for an instant only was not the ground: the step goes on.
-  if (!lane.believed && elapsed(lane.without_contact, params.touch_time))
+  if (!lane.believed && lost)
     return enter(lane, params.reflexes ? LegPhase::descend : LegPhase::search);
 
-  const bool lost = lane.without_contact > params.lost_time;
   ramp(lane.load, lost ? 0.0 : 1.0, dt / params.load_time);
   if (!lane.confirmed)
     lane.confirmed = lane.touched_down =
@@ -287,30 +287,6 @@ Vector3 step_back(LegLane& lane, const LegSensed& sensed, double dt, const Pose&
 }
 
 }  // namespace
-
-const char* to_string(LegPhase phase) noexcept {
-  switch (phase) {
-    case LegPhase::support:
-      return "support";
-    case LegPhase::unload:
-      return "unload";
-    case LegPhase::lift:
-      return "lift";
-    case LegPhase::transfer:
-      return "transfer";
-    case LegPhase::descend:
-      return "descend";
-    case LegPhase::retreat:
-      return "retreat";
-    case LegPhase::follow:
-      return "follow";
-    case LegPhase::search:
-      return "search";
-    case LegPhase::hold:
-      return "hold";
-  }
-  return "?";
-}
 
 void command(LegLane& lane, const FootstepCommand& step, const Pose& X_OB) noexcept {
   const bool starts = lane.phase == LegPhase::support;

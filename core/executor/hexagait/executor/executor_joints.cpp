@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <hexagait/executor/executor.hpp>
+
+/// The executor's last two stages: joint positions and efforts.
+namespace hexagait {
+namespace {
+
+// Time in which a planned effort may rise from 0 to the joint's limit [s].
+constexpr double kEffortRamp = 0.1;
+
+// A set point in the air that is out of reach goes no farther than the foot can; else it would run
+// away from it, and take as long to come back.
+void take_back(LegLane& lane, const Vector3& p_BF, const Pose& X_OB, double dt) {
+  lane.v_O += X_OB.R * (p_BF - lane.p_BF) / dt;
+  lane.a_O.setZero();
+  lane.p_BF = p_BF;
+}
+
+bool is_zero(const LegJoints& effort) { return effort.cwiseAbs().maxCoeff() < 1e-12; }
+
+}  // namespace
+
+// Does the plan of this leg specify joints, so that the foot follows from them?
+bool Executor::led_by_joints(LegId leg) const noexcept {
+  const LegPhase phase = legs_[leg].phase;
+  return plans_[leg].kind == LegPlan::Kind::joints &&
+         (phase == LegPhase::follow || phase == LegPhase::hold);
+}
+
+// Joint values for the leg's set point or plan, before the velocity limit.
+LegSolution Executor::wanted_joints(LegId leg, const RobotState& state) noexcept {
+  const LegModel& model = model_->legs[leg];
+  const LegLane& lane = legs_[leg];
+  const LegPlan& plan = plans_[leg];
+  if (!led_by_joints(leg)) return inverse_kinematics(model, lane.p_BF, targets_.q[leg]);
+  if (lane.phase == LegPhase::hold) return {targets_.q[leg], trig_[leg], true};
+  const bool driven = plan.mode == ControlMode::effort;  // its position is free
+  const LegJoints asked = driven ? state.q[leg] : plan.joints.at(lane.time).q;
+  LegJoints q = asked;
+  for (int k = 0; k < model.num_joints(); ++k)
+    q[k] = std::clamp(q[k], model.limits[k].lower, model.limits[k].upper);
+  return {q, leg_trig(model, q), driven || within_limits(model, asked)};
+}
+
+void Executor::set_joints(const RobotState& state, double dt) noexcept {
+  for (LegId i = 0; i < legs_.size(); ++i) {
+    const LegModel& leg = model_->legs[i];
+    LegSolution wanted = wanted_joints(i, state);
+    reachable_[i] = wanted.reachable;
+    const bool planned = legs_[i].phase == LegPhase::follow || led_by_joints(i);
+    if (!wanted.reachable && !legs_[i].on_ground() && !planned)
+      take_back(legs_[i], foot_position(leg, wanted.trig), state.X_OB, dt);
+
+    // Limit the change to what the servos can do in one tick.
+    LegJoints change = wanted.q - targets_.q[i];
+    bool limited = false;  // or not a number
+    for (int k = 0; k < leg.num_joints(); ++k)
+      limited = limited || !(std::abs(change[k]) <= leg.limits[k].velocity * dt);
+    if (limited && change.hasNaN()) {
+      failed_ = true;
+      continue;
+    }
+    if (limited) {
+      for (int k = 0; k < leg.num_joints(); ++k) {
+        const double most = leg.limits[k].velocity * dt;
+        change[k] = std::clamp(change[k], -most, most);
+      }
+      wanted.q = targets_.q[i] + change;
+      wanted.trig = leg_trig(leg, wanted.q);
+    }
+    last_change_[i] = change;
+    targets_.q[i] = wanted.q;
+    targets_.qd[i] = change / dt;
+    trig_[i] = wanted.trig;
+    if (led_by_joints(i)) {
+      const Vector3 p_BF = foot_position(leg, trig_[i]);
+      legs_[i].v_O = state.X_OB.R * (p_BF - legs_[i].p_BF) / dt;
+      legs_[i].p_BF = p_BF;
+    }
+    targets_.mode[i] = legs_[i].phase == LegPhase::follow ? plans_[i].mode : ControlMode::position;
+  }
+}
+
+void Executor::set_efforts(const RobotState& state, double dt) noexcept {
+  const int n = legs_.size();
+  WholeBodyInput input{.p_BF = LegArray<Vector3>(n),
+                       .trig = trig_,
+                       .load = LegArray<double>(n),
+                       .up_B = state.X_OB.R.row(2),
+                       .q = targets_.q,
+                       .normal_B = LegArray<Vector3>(n),
+                       .error = base_error_};
+  for (LegId i = 0; i < n; ++i) {
+    input.p_BF[i] = legs_[i].p_BF;
+    input.load[i] = legs_[i].load;
+    if (params_.controller == WholeBodyController::virtual_model)
+      input.normal_B[i] = state.X_OB.R.transpose() * legs_[i].normal_O;
+  }
+  JointEfforts efforts =
+      joint_efforts(params_.controller, *model_, input, params_.gravity, params_.virtual_model);
+  contact_forces_ = efforts.status;
+  const bool solved = efforts.status == QpStatus::solved;
+  if (!solved)
+    efforts = joint_efforts(WholeBodyController::kinematic, *model_, input, params_.gravity,
+                            params_.virtual_model);
+
+  for (LegId i = 0; i < n; ++i) {
+    // The efforts of a plan in effort mode replace these; standing legs belong to the controller.
+    if (params_.controller == WholeBodyController::virtual_model) {
+      if (targets_.mode[i] == ControlMode::effort) efforts.effort[i].setZero();
+      if (legs_[i].on_ground() && solved) targets_.mode[i] = ControlMode::effort;
+    }
+    add_planned_efforts(i, efforts.effort[i], state, dt);
+    set_effort(i, efforts.effort[i]);
+  }
+}
+
+// Efforts that a plan adds are ramped.
+void Executor::add_planned_efforts(LegId leg, LegJoints& effort, const RobotState& state,
+                                   double dt) noexcept {
+  const LegJoints wish = planned_effort(leg, state);
+  LegJoints& planned = planned_effort_[leg];
+  if (is_zero(wish) && is_zero(planned)) return;
+  for (int k = 0; k < model_->legs[leg].num_joints(); ++k) {
+    const double limit = model_->legs[leg].limits[k].effort, most = limit * dt / kEffortRamp;
+    const double change = std::clamp(wish[k], -limit, limit) - planned[k];
+    planned[k] += std::clamp(change, -most, most);
+  }
+  effort += planned;
+}
+
+// Within the joints' limits; the last ones if one is not a number.
+void Executor::set_effort(LegId leg, const LegJoints& effort) noexcept {
+  if (effort.hasNaN()) {
+    failed_ = true;
+    return;
+  }
+  for (int k = 0; k < model_->legs[leg].num_joints(); ++k) {
+    const double limit = model_->legs[leg].limits[k].effort;
+    targets_.effort[leg][k] = std::clamp(effort[k], -limit, limit);
+  }
+}
+
+LegJoints Executor::planned_effort(LegId leg, const RobotState& state) const noexcept {
+  const LegPlan& plan = plans_[leg];
+  if (legs_[leg].phase != LegPhase::follow) return LegJoints::Zero();
+  if (plan.kind == LegPlan::Kind::joints) return plan.joints.at(legs_[leg].time).effort;
+  if (plan.force_O.isZero()) return LegJoints::Zero();
+  return foot_jacobian(model_->legs[leg], trig_[leg]).transpose() *
+         (state.X_OB.R.transpose() * plan.force_O);
+}
+
+}  // namespace hexagait
