@@ -53,9 +53,9 @@ const ActionRecord& ActionRunner::tick(PlantStatus status,
     if (executor_.failed()) watch_.stop(Fault::bad_command);
   } else {
     executor_.hold();
-    if (watch_.fault() == Fault::not_started) return wait_for_start(measurement);
   }
   if (watch_.fault() != Fault::none) sequencer_.give_up();
+  if (watch_.fault() == Fault::not_started) return wait_for_start(measurement);
   report();
   return record_;
 }

@@ -9,8 +9,9 @@
 #include <testing/scripted_robot.hpp>
 
 // Whatever is commanded when, and whatever feet feel: laws that hold in every tick, of random
-// actions that are preempted, replaced, paused and stopped on ground that comes and goes. More of
-// them: RC_PARAMS="max_success=100000" core_test --gtest_filter='RandomActions.*'
+// actions that are preempted, replaced, paused and stopped on ground that comes and goes, at any
+// control period. More of them:
+// RC_PARAMS="max_success=100000" script_test --gtest_filter='RandomActions.*'
 
 namespace hexagait {
 namespace {
@@ -25,6 +26,7 @@ struct EventSpec {
 };
 struct Spec {
   int robot = 0, params = 0, ground = 0;
+  int period = 2;  ///< [ms]
   ActionSpec action, other;
   std::vector<EventSpec> events;
 };
@@ -33,8 +35,8 @@ std::ostream& operator<<(std::ostream& os, const EventSpec& e) {
   return os << '{' << e.tick << ',' << e.kind << ',' << e.leg << ',' << e.length << '}';
 }
 std::ostream& operator<<(std::ostream& os, const Spec& s) {
-  return os << '{' << s.robot << ',' << s.params << ',' << s.ground << ',' << s.action << ','
-            << s.other << ',' << s.events << '}';
+  return os << '{' << s.robot << ',' << s.params << ',' << s.ground << ',' << s.period << ','
+            << s.action << ',' << s.other << ',' << s.events << '}';
 }
 
 RobotModel robot(const char* name) {
@@ -52,7 +54,7 @@ class Play {
   explicit Play(const Spec& spec)
       : spec_(spec),
         model_(robot(spec.robot)),
-        robot_(model_, params(spec.params)),
+        robot_(model_, params(spec)),
         writer_(model_),
         silent_(model_.num_legs(), 0),
         airborne_(model_.num_legs(), false) {
@@ -75,8 +77,10 @@ class Play {
   }
 
  private:
-  static RunnerParams params(int bits) {
+  static RunnerParams params(const Spec& spec) {
     RunnerParams params;
+    const int bits = spec.params;
+    params.control_dt = 1e-3 * spec.period;
     if (bits % 8 == 7) params.executor.controller = WholeBodyController::virtual_model;
     if (bits % 8 == 6) params.sensors.foot_contacts = false;
     if (bits % 8 == 5) params.sensors.joint_feedback = false;
@@ -241,8 +245,8 @@ rc::Gen<Spec> specs() {
   const auto actions = testing::action_specs();
   const auto event =
       rc::gen::construct<EventSpec>(inRange(0, 400), inRange(0, 10), inRange(0, 6), inRange(0, 60));
-  return rc::gen::construct<Spec>(inRange(0, 4), inRange(0, 16), inRange(0, 3), actions, actions,
-                                  testing::few<EventSpec>(0, 5, event));
+  return rc::gen::construct<Spec>(inRange(0, 4), inRange(0, 16), inRange(0, 3), inRange(1, 21),
+                                  actions, actions, testing::few<EventSpec>(0, 5, event));
 }
 
 TEST(RandomActions, KeepTheLawsInEveryTick) {
