@@ -5,8 +5,9 @@
 #include <cstdlib>
 #include <hexagait/load/load_action.hpp>
 #include <hexagait/text/invalid_input.hpp>
+#include <hexagait/urdf/urdf.hpp>
 
-#include "three_joint_robot.hpp"
+#include "played.hpp"
 
 namespace hexagait {
 namespace {
@@ -24,7 +25,8 @@ bool is_sound(const action::Action& action, const RobotModel& model) {
       legs.insert(leg);
     }
   }
-  return !action.steps.empty() && action.steps.size() <= action::kMaxSteps;
+  return !action.steps.empty() && action.steps.size() <= action::kMaxSteps &&
+         fuzz::is_bounded(action) && fuzz::is_played(action, model);
 }
 
 }  // namespace
@@ -33,7 +35,7 @@ bool is_sound(const action::Action& action, const RobotModel& model) {
 // Whatever the bytes: an action that is sound, or InvalidInput with a message.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace hexagait;
-  static const RobotModel model = three_joint_robot();
+  static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
   static const action::ActionVocabulary vocabulary = [] {
     action::ActionVocabulary words;
     words.frames.add("door");

@@ -7,8 +7,18 @@
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/urdf.hpp>
 
+#include "played.hpp"
+
 namespace hexagait {
 namespace {
+
+// Some ticks of a stance.
+bool stands(const RobotModel& robot) {
+  action::Action waits;
+  waits.steps.resize(1);
+  waits.steps[0].wait.duration = 0.1;
+  return fuzz::is_played(waits, robot, 5);
+}
 
 // What everything that takes a robot counts on.
 bool is_sound(const RobotModel& robot) {
@@ -19,7 +29,7 @@ bool is_sound(const RobotModel& robot) {
     for (const JointLimits& limits : leg.limits)
       if (!(limits.lower < limits.upper) || !(limits.velocity > 0.0)) return false;
   }
-  return std::isfinite(robot.mass);
+  return std::isfinite(robot.mass) && stands(robot);
 }
 
 }  // namespace

@@ -109,6 +109,7 @@ class Executor {
   void follow_base(const RobotState& state, double dt) noexcept;
   void note_tracking(const RobotState& state) noexcept;
   void move_legs(const RobotState& state, double dt) noexcept;
+  void stand_where_it_is(LegId leg, const RobotState& state) noexcept;
   void set_joints(const RobotState& state, double dt) noexcept;
   void set_efforts(const RobotState& state, double dt) noexcept;
   void add_planned_efforts(LegId leg, LegJoints& effort, const RobotState& state,

@@ -155,9 +155,13 @@ TEST(SwingPeriod, SearchesAtTheSameSpeed) {
       ASSERT_LE((lane.v_O - v).norm(), params.vertical_acceleration * dt * (1.0 + 1e-9));
       ASSERT_GE(lane.v_O.z(), -params.search_speed - 1e-12);
     }
-    // v from 0.1 to −0.15 at (6 · 0.25/0.32) m/s² in 0.053 s, then at 0.15 m/s.
-    const double slew = std::hypot(0.2, 0.25) / 6.0;
-    EXPECT_NEAR(t, slew + (0.05 + 0.5 * (0.1 - 0.15) * slew) / 0.15, 1.5 * dt) << dt;
+    // v from 0.1 to that near the expected ground, 1 mm a period, at 6 m/s² along the change of
+    // velocity; that for six periods; then 0.15 m/s. Either change of speed, and the contact, come
+    // within a period of their time.
+    const double slow = std::min(0.15, 0.001 / dt), first = std::hypot(0.2, 0.1 + slow) / 6.0;
+    const double there = std::max(0.0, 6.0 * dt - first), second = (0.15 - slow) / 6.0;
+    const double risen = 0.5 * (0.1 - slow) * first - slow * there - 0.5 * (slow + 0.15) * second;
+    EXPECT_NEAR(t, first + there + second + (0.05 + risen) / 0.15, 2.0 * dt) << dt;
   }
 }
 
