@@ -248,9 +248,9 @@ void follow_curve(LegLane& lane, LegPlan& plan, const Pose& X_OB, double dt, dou
   lane.p_plan = to.p;
 }
 
-// Moves against the surface normal until there is contact: slowly where the ground is expected, just
-// below where the search begins, and then faster. Contact is known up to two periods late, and a
-// foot that presses until then lifts others, which search in their turn.
+// Moves against the surface normal until there is contact. Contact is known up to two periods late,
+// and a foot that presses until then lifts others, which search in their turn: where the ground is
+// expected, just below where the search begins, it takes at least six periods.
 Vector3 search(LegLane& lane, const LegSensed& sensed, double dt, const SwingParams& params) {
   lane.cleared = lane.cleared || !sensed.contact;
   feel(lane, sensed.contact, dt);
@@ -260,8 +260,11 @@ Vector3 search(LegLane& lane, const LegSensed& sensed, double dt, const SwingPar
     lane.exhausted = true;
     return enter(lane, LegPhase::hold), Vector3::Zero();
   }
-  const double slow = std::min(params.search_speed, params.touchdown_speed);
-  const double speed = lane.time * slow < params.touchdown_margin ? slow : params.search_speed;
+  constexpr double kPeriodsAtTheGround = 6.0;
+  const double time_there = kPeriodsAtTheGround * dt;
+  const bool there = lane.time < time_there;
+  const double speed = there ? std::min(params.search_speed, params.touchdown_margin / time_there)
+                             : params.search_speed;
   // The velocity changes along a straight line.
   const Vector3 before = lane.v_O, change = -speed * lane.normal_O - before;
   const double size = change.norm();

@@ -155,12 +155,13 @@ TEST(SwingPeriod, SearchesAtTheSameSpeed) {
       ASSERT_LE((lane.v_O - v).norm(), params.vertical_acceleration * dt * (1.0 + 1e-9));
       ASSERT_GE(lane.v_O.z(), -params.search_speed - 1e-12);
     }
-    // v from 0.1 to −0.08 at (6 · 0.18/0.27) m/s² in 0.045 s; at 0.08 m/s until 6 mm would have been
-    // made at that speed, 0.075 s; to 0.15 m/s in 0.012 s, and on at that. Either change of speed
-    // and the contact come within a period of their time.
-    const double first = std::hypot(0.2, 0.18) / 6.0, slow = 0.006 / 0.08, second = 0.07 / 6.0;
-    const double risen = 0.01 * first - 0.08 * (slow - first) - 0.115 * second;
-    EXPECT_NEAR(t, slow + second + (0.05 + risen) / 0.15, 2.0 * dt) << dt;
+    // v from 0.1 to that near the expected ground, 1 mm a period, at 6 m/s² along the change of
+    // velocity; that for six periods; then 0.15 m/s. Either change of speed, and the contact, come
+    // within a period of their time.
+    const double slow = std::min(0.15, 0.001 / dt), first = std::hypot(0.2, 0.1 + slow) / 6.0;
+    const double there = std::max(0.0, 6.0 * dt - first), second = (0.15 - slow) / 6.0;
+    const double risen = 0.5 * (0.1 - slow) * first - slow * there - 0.5 * (slow + 0.15) * second;
+    EXPECT_NEAR(t, first + there + second + (0.05 + risen) / 0.15, 2.0 * dt) << dt;
   }
 }
 
