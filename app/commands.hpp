@@ -31,6 +31,7 @@ struct ExperimentArguments {
   std::string name;  ///< empty: only the list
   std::string out = "results";
   std::string title = "auto";  ///< of the figures; or none
+  std::string jobs;            ///< empty: one per core
   bool list = false, short_form = false, json = false, quiet = false;
 };
 

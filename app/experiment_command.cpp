@@ -15,6 +15,7 @@
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "progress.hpp"
+#include "sweep_command.hpp"
 
 namespace hexagait::app {
 namespace {
@@ -60,7 +61,8 @@ int experiment_command(const ExperimentArguments& arguments) {
                                .progress = [&](double share) { progress.at(share); },
                                .stop = &interrupted,
                                .short_form = arguments.short_form,
-                               .titles = arguments.title != "none"},
+                               .titles = arguments.title != "none",
+                               .jobs = jobs(arguments.jobs, cores())},
                               arguments.out));
     });
     if (!problem.empty())

@@ -24,7 +24,7 @@ void add_experiment(CLI::App& app, ExperimentArguments& a) {
   CLI::App* experiment =
       app.add_subcommand("experiment", "Make a figure of a paper again, and test its claims");
   experiment->footer(
-      "\nWithout a name it lists the experiments; all of them take some nine minutes.\n\n"
+      "\nWithout a name it lists the experiments; all of them take some twenty minutes.\n\n"
       "Examples:\n  hexagait experiment fig9 --out results\n  hexagait experiment all --short\n\n"
       "Exit status: 0 every claim holds, or fails within the band that is declared for it; 1 one\n"
       "does not, or holds unexpectedly; 2 bad usage or input; 130 Ctrl-C. `all` also writes "
@@ -37,6 +37,8 @@ void add_experiment(CLI::App& app, ExperimentArguments& a) {
   experiment->add_option("--title", a.title, "none: figures without titles, for a paper")
       ->check(CLI::IsMember({"auto", "none"}))
       ->capture_default_str();
+  experiment->add_option("--jobs", a.jobs, "Worker processes of sensitivity; default one per core")
+      ->type_name("N");
   experiment->add_flag("--list", a.list, "The same as hexagait list experiments");
   experiment->add_flag("--short", a.short_form,
                        "Some seconds each; claims that need the full length are not judged");
@@ -109,7 +111,7 @@ void add_report(CLI::App& app, ReportArguments& a) {
       ->type_name("COLUMN")
       ->allow_extra_args(false);
   report->add_option("--compare", a.compare, "What is compared with the first of them")
-      ->type_name("controllers|terrains|robots")
+      ->type_name("controllers|terrains|robots|plants")
       ->capture_default_str();
   report->add_flag("--all-trials", a.all_trials,
                    "Means also of trials that fell, got stuck or ended by a fault");

@@ -26,6 +26,7 @@
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "progress.hpp"
+#include "sweep_command.hpp"
 
 namespace hexagait::app {
 namespace {
@@ -226,7 +227,8 @@ int results_command(const ResultsArguments& arguments) {
                                   {.robot = &robot,
                                    .progress = [&](double share) { progress.at(share); },
                                    .stop = &interrupted,
-                                   .short_form = arguments.short_form},
+                                   .short_form = arguments.short_form,
+                                   .jobs = jobs("", cores())},
                                   arguments.figures);
     if (interrupted) return kInterrupted;
     well = well && manifest.is_accounted_for();

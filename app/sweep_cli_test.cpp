@@ -30,7 +30,8 @@ TEST_F(SweepCli, WritesRowsTimingsAndAManifest) {
   const auto manifest = nlohmann::json::parse(content(at("a/manifest.json")));
   EXPECT_EQ(manifest["rows_hash"], json["rows_hash"]);
   EXPECT_EQ(manifest["controllers"][1], "free");
-  EXPECT_TRUE(content(at("a/trials.csv")).starts_with("trial,controller,robot,terrain,roughness,"));
+  EXPECT_TRUE(
+      content(at("a/trials.csv")).starts_with("trial,controller,robot,plant,terrain,roughness,"));
   EXPECT_TRUE(content(at("a/timings.csv")).starts_with("trial,wall_s\n0,"));
 }
 

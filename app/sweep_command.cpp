@@ -49,10 +49,6 @@ double trial_timeout(const std::string& text) {
       "--trial-timeout is '{}'; it must be a time from 0.001 to 10000000 seconds", text));
 }
 
-int jobs(const std::string& text, unsigned otherwise) {
-  return static_cast<int>(text.empty() ? otherwise : whole("--jobs", text, kMaxJobs));
-}
-
 Shard shard(const std::string& text) {
   if (text.empty()) return {};
   const std::size_t slash = text.find('/');
@@ -77,7 +73,7 @@ sweep::Compare comparison(const std::string& text) {
   for (const sweep::Compare known : sweep::kComparisons)
     if (text == to_string(known)) return known;
   throw InvalidInput(
-      fmt::format("--compare is '{}'; it must be controllers, terrains or robots", text));
+      fmt::format("--compare is '{}'; it must be controllers, terrains, robots or plants", text));
 }
 
 int emit(const SweepArguments& arguments) {
@@ -161,7 +157,7 @@ class Patience {
 
 RunOutcome run(const Sweep& sweep, const Shard& shard, const SweepArguments& arguments,
                const std::atomic<bool>& interrupted) {
-  const int processes = jobs(arguments.jobs, std::max(1U, std::thread::hardware_concurrency()));
+  const int processes = jobs(arguments.jobs, cores());
   const Patience patience(processes, arguments.yes);
   std::optional<double> too_long;
   std::atomic<bool> stop = false;
@@ -196,6 +192,12 @@ void tell_without_result(std::uint64_t number, const fs::path& directory) {
 }
 
 }  // namespace
+
+int jobs(const std::string& text, unsigned otherwise) {
+  return static_cast<int>(text.empty() ? otherwise : whole("--jobs", text, kMaxJobs));
+}
+
+unsigned cores() { return std::max(1U, std::thread::hardware_concurrency()); }
 
 int sweep_command(const SweepArguments& arguments) {
   const Sweep sweep = sweep::load_sweep(arguments.file, find_robot);

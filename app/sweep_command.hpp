@@ -41,4 +41,10 @@ struct ReportArguments {
 /// `hexagait report`. @throws InvalidInput
 int report_command(const ReportArguments& arguments);
 
+/// What --jobs says, or otherwise. @throws InvalidInput
+[[nodiscard]] int jobs(const std::string& text, unsigned otherwise);
+
+/// Of this machine.
+[[nodiscard]] unsigned cores();
+
 }  // namespace hexagait::app

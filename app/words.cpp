@@ -142,9 +142,9 @@ std::string in_words(const WalkReport& report) {
                   s.rule1_violations, s.neighbour_flight));
   add(text, "feet",
       fmt::format("slip {} mean, {} at the 95th percentile of {} stances; contact "
-                  "lost {} times; legs touch the ground for {:.2f} s",
+                  "lost {} times, {} of them really; legs touch the ground for {:.2f} s",
                   length(s.slip_mean), length(s.slip_p95), s.stances, s.contact_losses,
-                  s.leg_touch_time));
+                  s.real_contact_losses, s.leg_touch_time));
   add(text, "body",
       fmt::format("height {:.3f} … {:.3f} m, roll up to {:.1f}°, pitch up to {:.1f}°", s.height_min,
                   s.height_max, degrees(s.roll_max), degrees(s.pitch_max)));

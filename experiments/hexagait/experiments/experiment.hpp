@@ -17,6 +17,7 @@ struct ExperimentContext {
   const std::atomic<bool>* stop = nullptr;     ///< once true, the experiment ends early
   bool short_form = false;  ///< some seconds; claims that need more are not judged, and say so
   bool titles = true;       ///< above the figures
+  int jobs = 1;             ///< worker processes, where an experiment has some
 
   /// Whether it is to end early.
   [[nodiscard]] bool stopped() const { return stop != nullptr && stop->load(); }

@@ -111,6 +111,7 @@ Json results(const walk::Summary& s) {
       {"neighbour_flight_s", s.neighbour_flight},
       {"leg_touch_s", s.leg_touch_time},
       {"contact_losses", s.contact_losses},
+      {"real_contact_losses", s.real_contact_losses},
       {"fell", s.fell},
       {"stuck", s.stuck},
       {"arrived", s.arrived},

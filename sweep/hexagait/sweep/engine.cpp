@@ -106,7 +106,8 @@ const std::vector<Column> kGenghisColumns =
                   {"pitch_max_rad", "largest pitch", "rad"},
                   {"searches", "searches for ground", ""},
                   {"blocked", "blocked advances", ""},
-                  {"contact_losses", "contact losses", ""}});
+                  {"contact_losses", "contact losses", ""},
+                  {"real_contact_losses", "real contact losses", ""}});
 
 std::string run_genghis(const TrialConfig& config) {
   sim2d::GenghisTrial trial;
@@ -119,22 +120,27 @@ std::string run_genghis(const TrialConfig& config) {
 
   const recording::GenghisSummary s = recording::simulate(trial);
   return walk_row(s, config.limits,
-                  fmt::format("{},{},{},{},{}", s.slip_mean, s.pitch_max, s.side_view.searches,
-                              s.side_view.blocked, s.contact_losses));
+                  fmt::format("{},{},{},{},{},{}", s.slip_mean, s.pitch_max, s.side_view.searches,
+                              s.side_view.blocked, s.contact_losses, s.real_contact_losses));
 }
 
 // ---- ode --------------------------------------------------------------------------------------
 
 const std::vector<Column> kOdeColumns =
-    walk_columns({{"lateral_max_m", "largest lateral error", "m"},
+    walk_columns({{"lateral_mean_m", "mean lateral error", "m"},
+                  {"lateral_max_m", "largest lateral error", "m"},
                   {"heading_max_rad", "largest heading error", "rad"},
                   {"slip_mean_m", "slip per stance", "m"},
-                  {"margin_min_m", "least stability margin", "m"}});
+                  {"margin_min_m", "least stability margin", "m"},
+                  {"neighbour_flight_s", "two neighbours off the ground", "s"},
+                  {"contact_losses", "contact losses", ""},
+                  {"real_contact_losses", "real contact losses", ""}});
 
 std::string run_ode(const TrialConfig& config) {
   recording::Simulation simulation;
   simulation.terrain = sim3d::parse_terrain(config.terrain);
   simulation.seed = config.seed;
+  simulation.plant = config.plant;
   simulation.gait = config.controller;
   simulation.random_posture = config.limits.random_posture;
   simulation.trial.schedule = {{0.0, heading_control::Heading::straight(0.0)}};
@@ -142,9 +148,10 @@ std::string run_ode(const TrialConfig& config) {
   if (config.limits.distance > 0.0) simulation.trial.distance = config.limits.distance;
 
   const walk::Summary s = recording::simulate(*config.robot, simulation);
-  return walk_row(
-      s, config.limits,
-      fmt::format("{},{},{},{}", s.lateral_max, s.heading_max, s.slip_mean, s.margin_min));
+  return walk_row(s, config.limits,
+                  fmt::format("{},{},{},{},{},{},{},{}", s.lateral_mean, s.lateral_max,
+                              s.heading_max, s.slip_mean, s.margin_min, s.neighbour_flight,
+                              s.contact_losses, s.real_contact_losses));
 }
 
 // ---- all of them --------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 #include <array>
 #include <hexagait/gait_state/gait_choice.hpp>
 #include <hexagait/model/robot_model.hpp>
+#include <hexagait/recording/plant_setup.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,8 +42,9 @@ struct TrialConfig {
   Engine engine = Engine::slice;
   gait_state::GaitChoice controller;
   const RobotModel* robot = nullptr;  ///< of the ODE engine, not null there
+  recording::PlantSetup plant;        ///< of the ODE engine
   std::string terrain;                ///< as the engine spells it: "flat", "boxes:0.05"
-  std::uint64_t seed = 0;             ///< of terrain and start
+  std::uint64_t seed = 0;             ///< of terrain, start and plant
   Limits limits;
 };
 

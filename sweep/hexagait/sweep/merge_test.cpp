@@ -172,7 +172,7 @@ TEST_F(JournalOrder, KnowsWhatIsDoneWithinTheWindow) {
 class Reporting : public ScratchSweep {
  protected:
   static constexpr const char* kHead =
-      "trial,controller,robot,terrain,roughness,seed,outcome,reason,";
+      "trial,controller,robot,plant,terrain,roughness,seed,outcome,reason,";
 
   // A sweep whose trials.csv is replaced.
   void rows(const std::string& text) {
@@ -193,7 +193,7 @@ TEST_F(Reporting, AveragesAndComparesPairwise) {
   for (std::uint64_t k = 0; k < 60; ++k) {  // the first terrain
     std::istringstream cells(row(sweep, k));
     std::string cell;
-    for (int i = 0; i < 9; ++i) std::getline(cells, cell, ',');
+    for (int i = 0; i < 10; ++i) std::getline(cells, cell, ',');
     if (k % 3 < 2) sum[k % 3] += std::stod(cell) / 20.0;
   }
   const Report of = report();
@@ -210,11 +210,11 @@ TEST_F(Reporting, AveragesAndComparesPairwise) {
 // Seed 7 of the second controller is missing, and the rows are shuffled: 3 − 1 and 10 − 5.
 TEST_F(Reporting, PairsBySeedWhateverTheOrderAndWhateverIsMissing) {
   rows(
-      "5,free,r,flat,0,9,walked,,10,\n"
-      "0,tripod,r,flat,0,8,walked,,1,\n"
-      "2,tripod,r,flat,0,7,walked,,100,\n"
-      "1,free,r,flat,0,8,walked,,3,\n"
-      "4,tripod,r,flat,0,9,walked,,5,\n");
+      "5,free,r,ideal,flat,0,9,walked,,10,\n"
+      "0,tripod,r,ideal,flat,0,8,walked,,1,\n"
+      "2,tripod,r,ideal,flat,0,7,walked,,100,\n"
+      "1,free,r,ideal,flat,0,8,walked,,3,\n"
+      "4,tripod,r,ideal,flat,0,9,walked,,5,\n");
   const Report of = report();
   EXPECT_EQ(of.first, "free");
   const Compared& difference = *of.lines[1].difference;
@@ -224,15 +224,19 @@ TEST_F(Reporting, PairsBySeedWhateverTheOrderAndWhateverIsMissing) {
 }
 
 TEST_F(Reporting, RefusesADamagedTableWithItsLine) {
-  const std::string good = "0,free,r,flat,0,1,walked,,3,\n";
+  const std::string good = "0,free,r,ideal,flat,0,1,walked,,3,\n";
   const auto says = [&](const std::string& text) {
     rows(good + text);
     return refusal([&] { static_cast<void>(report()); });
   };
-  EXPECT_THAT(says("1,free,r,flat,0,2\n"), HasSubstr("trials.csv:3: has 6 cells, the header 10"));
-  EXPECT_THAT(says("1,free,r,flat,0,2,walked,,fast,\n"), HasSubstr(":3: the column 'speed_units"));
-  EXPECT_THAT(says("1,free,r,flat,0,x,walked,,3,\n"), HasSubstr(":3: the column 'seed' has 'x'"));
-  EXPECT_THAT(says("1,free,r,flat,0,2,flew,,3,\n"), HasSubstr("the column 'outcome' has 'flew'"));
+  EXPECT_THAT(says("1,free,r,ideal,flat,0,2\n"),
+              HasSubstr("trials.csv:3: has 7 cells, the header 11"));
+  EXPECT_THAT(says("1,free,r,ideal,flat,0,2,walked,,fast,\n"),
+              HasSubstr(":3: the column 'speed_units"));
+  EXPECT_THAT(says("1,free,r,ideal,flat,0,x,walked,,3,\n"),
+              HasSubstr(":3: the column 'seed' has 'x'"));
+  EXPECT_THAT(says("1,free,r,ideal,flat,0,2,flew,,3,\n"),
+              HasSubstr("the column 'outcome' has 'flew'"));
   EXPECT_THAT(says(good), HasSubstr("'free' with 'r' on 'flat' and seed 1 is there twice"));
   rows("");
   EXPECT_THAT(refusal([&] { static_cast<void>(report()); }), HasSubstr("has no trials"));
@@ -244,8 +248,9 @@ TEST_F(Reporting, RefusesADamagedTableWithItsLine) {
 // A robot that fell in the first second was fast: it counts among the falls, not in the mean.
 TEST_F(Reporting, CountsFallsApartUnlessAllTrialsAreAskedFor) {
   rows(
-      "0,free,r,flat,0,1,walked,,1,\n1,free,r,flat,0,2,late,,3,\n2,free,r,flat,0,3,fell,,50,\n"
-      "3,free,r,flat,0,4,stuck,,0,\n4,free,r,flat,0,5,timed_out,it took longer,,\n");
+      "0,free,r,ideal,flat,0,1,walked,,1,\n1,free,r,flat,0,2,late,,3,\n2,free,r,flat,0,3,fell,,50,"
+      "\n"
+      "3,free,r,ideal,flat,0,4,stuck,,0,\n4,free,r,flat,0,5,timed_out,it took longer,,\n");
   const Report of = report();
   EXPECT_DOUBLE_EQ(of.lines[0].value->value, 2.0);
   EXPECT_THAT(in_words(of), AllOf(HasSubstr("2/5"), HasSubstr("1 fell, 1 stuck, 1 timed_out")));
@@ -268,8 +273,8 @@ TEST_F(Reporting, GivesProportionsAnIntervalThatIsNeverEmpty) {
   run(sweep, "a");
   std::string text = std::string(kHead) + "fell\n";
   for (int seed = 0; seed < 20; ++seed)
-    text += fmt::format("0,free,r,flat,0,{0},walked,,0\n1,tripod,r,flat,0,{0},{1},,{2}\n", seed,
-                        seed < 5 ? "fell" : "walked", seed < 5 ? 1 : 0);
+    text += fmt::format("0,free,r,ideal,flat,0,{0},walked,,0\n1,tripod,r,flat,0,{0},{1},,{2}\n",
+                        seed, seed < 5 ? "fell" : "walked", seed < 5 ? 1 : 0);
   std::ofstream(at("a") / "trials.csv") << text;
   const Report of = report();
   EXPECT_EQ(of.lines[0].value->value, 0.0);
@@ -292,7 +297,7 @@ TEST_F(Reporting, ComparesTerrainsAndRobotsToo) {
               of.lines[4].value->value - of.lines[1].value->value, 1e-12);
   EXPECT_THAT(in_words(of), AllOf(HasSubstr("less flat"), HasSubstr("not paired")));
 
-  rows("0,free,a,flat,0,1,walked,,4,\n1,free,b,flat,0,1,walked,,5,\n");
+  rows("0,free,a,ideal,flat,0,1,walked,,4,\n1,free,b,flat,0,1,walked,,5,\n");
   const Report robots = report({.compare = Compare::robots});
   EXPECT_TRUE(robots.paired);
   EXPECT_DOUBLE_EQ(*robots.lines[1].difference->percent, 25.0);

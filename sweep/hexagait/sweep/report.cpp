@@ -34,7 +34,7 @@ struct Trial {
   double value;  // NaN if it has none, or does not count
 };
 
-// Trials that share robot, terrain and controller, by seed.
+// Trials that share robot, plant, terrain and controller, by seed.
 struct Group {
   ReportLine line;
   std::vector<Trial> trials = {};
@@ -56,7 +56,7 @@ class TrialRows {
     const std::vector<std::string_view> columns = split(text_);
     num_columns_ = columns.size();
     const std::array<std::string_view, kNumFields> names = {
-        "robot", "terrain", "controller", "roughness", "seed", "outcome", measure.name};
+        "robot", "plant", "terrain", "controller", "roughness", "seed", "outcome", measure.name};
     for (std::size_t field = 0; field < kNumFields; ++field) {
       const auto found = std::ranges::find(columns, names[field]);
       if (found == columns.end()) refuse(fmt::format("there is no column '{}'", names[field]));
@@ -78,16 +78,17 @@ class TrialRows {
       std::ranges::stable_sort(group.trials, {}, &Trial::seed);
       const auto twice = std::ranges::adjacent_find(group.trials, {}, &Trial::seed);
       if (twice != group.trials.end())
-        throw InvalidInput(fmt::format("{}: '{}' with '{}' on '{}' and seed {} is there twice",
-                                       path_, group.line.controller, group.line.robot,
-                                       group.line.terrain, twice->seed));
+        throw InvalidInput(
+            fmt::format("{}: '{}' with '{}', '{}' on '{}' and seed {} is there twice", path_,
+                        group.line.controller, group.line.robot, group.line.plant,
+                        group.line.terrain, twice->seed));
     }
     return std::move(groups_);
   }
 
  private:
-  enum Field : std::size_t { robot, terrain, controller, roughness, seed, outcome, measure };
-  static constexpr std::size_t kNumFields = 7;
+  enum Field : std::size_t { robot, plant, terrain, controller, roughness, seed, outcome, measure };
+  static constexpr std::size_t kNumFields = 8;
 
   [[noreturn]] void refuse(const std::string& why) const {
     throw InvalidInput(fmt::format("{}:{}: {}", path_, line_, why));
@@ -108,12 +109,13 @@ class TrialRows {
   }
 
   [[nodiscard]] Group& group() {
-    std::array<std::string, 3> key;
-    for (const Field field : {robot, terrain, controller}) key[field] = cell(field);
+    std::array<std::string, 4> key;
+    for (const Field field : {robot, plant, terrain, controller}) key[field] = cell(field);
     const auto [found, is_new] = index_.emplace(key, groups_.size());
     if (is_new) {
       ReportLine line;
       line.robot = key[robot];
+      line.plant = key[plant];
       line.terrain = key[terrain];
       line.controller = key[controller];
       line.roughness = number<double>(roughness, "roughness");
@@ -145,7 +147,7 @@ class TrialRows {
   std::vector<std::string_view> row_;
   std::uint64_t line_ = 1;
   std::vector<Group> groups_;
-  std::map<std::array<std::string, 3>, std::size_t> index_;
+  std::map<std::array<std::string, 4>, std::size_t> index_;
 };
 
 std::vector<double> values_of(const Group& group) {
@@ -204,8 +206,8 @@ std::optional<Compared> compared(const Group& group, const Group& first, const R
 }
 
 // What a comparison is of, in the order of Compare.
-constexpr std::array kCompared = {&ReportLine::controller, &ReportLine::terrain,
-                                  &ReportLine::robot};
+constexpr std::array kCompared = {&ReportLine::controller, &ReportLine::terrain, &ReportLine::robot,
+                                  &ReportLine::plant};
 
 Column measure_of(const Header& header, const std::string& asked,
                   const std::filesystem::path& directory) {
@@ -227,7 +229,7 @@ Column measure_of(const Header& header, const std::string& asked,
 
 std::string_view to_string(Compare compare) {
   constexpr std::array<std::string_view, kComparisons.size()> kNames = {"controllers", "terrains",
-                                                                        "robots"};
+                                                                        "robots", "plants"};
   return kNames[static_cast<std::size_t>(compare)];
 }
 

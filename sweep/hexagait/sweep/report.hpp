@@ -13,9 +13,9 @@
 namespace hexagait::sweep {
 
 /// What is compared: all others with the first of them, all else equal.
-enum class Compare { controllers, terrains, robots };
+enum class Compare { controllers, terrains, robots, plants };
 inline constexpr std::array kComparisons = {Compare::controllers, Compare::terrains,
-                                            Compare::robots};
+                                            Compare::robots, Compare::plants};
 [[nodiscard]] std::string_view to_string(Compare compare);
 
 struct ReportOptions {
@@ -39,9 +39,9 @@ struct Compared {
   std::optional<double> percent = {};  ///< of the first's mean, unless that is 0
 };
 
-/// What the trials of one controller with one robot on one terrain say about a measure.
+/// What the trials of one controller with one robot and plant on one terrain say about a measure.
 struct ReportLine {
-  std::string robot, terrain, controller;
+  std::string robot, plant, terrain, controller;
   double roughness = 0.0;
   std::array<int, kOutcomes.size()> outcomes = {};  ///< trials by how they ended
   std::optional<Measured> value = {};               ///< of those that count and have one
@@ -50,20 +50,20 @@ struct ReportLine {
   [[nodiscard]] int trials() const;
 };
 
-/// A sweep in numbers: robots × terrains × controllers.
+/// A sweep in numbers: robots × plants × terrains × controllers.
 struct Report {
   std::string directory;
   Column measure;
   std::string roughness_label;
   Compare compare = Compare::controllers;
-  std::string first;   ///< the controller, terrain or robot that the others are compared with
+  std::string first;  ///< the controller, terrain, robot or plant that the others are compared with
   bool paired = true;  ///< by seed; terrains have seeds of their own, and are not
   bool all_trials = false;
   std::vector<ReportLine> lines;
 };
 
 /// Reads trials.csv of a sweep. Its rows may stand in any order, and some may be missing: they are
-/// paired by terrain, robot and seed.
+/// paired by terrain, robot, plant and seed.
 ///
 /// A mean is that of the trials that walked on (see walked_on()), unless all are asked for: a robot
 /// that lies on its back says nothing of how fast it walks. Proportions are those of all trials,

@@ -40,15 +40,22 @@ std::size_t place(Words& words, const std::string& word) {
 
 struct Sheet {
   figures::Csv csv{
-      "curve,x,robot,terrain,roughness,controller,trials,count,sd,mean,ci95_lower,ci95_upper,"
+      "curve,x,robot,plant,terrain,roughness,controller,trials,count,sd,mean,ci95_lower,ci95_upper,"
       "difference,difference_ci95_lower,difference_ci95_upper"};
   Words curves, terrains;
 };
 
 Sheet sheet(const Report& report, bool over_roughness) {
   Sheet result;
-  const bool robots = std::ranges::any_of(
-      report.lines, [&](const ReportLine& line) { return line.robot != report.lines[0].robot; });
+  // A curve has the name of what differs.
+  const auto varies = [&](std::string ReportLine::*name) {
+    return std::ranges::any_of(
+        report.lines, [&](const ReportLine& line) { return line.*name != report.lines[0].*name; });
+  };
+  const bool robots = varies(&ReportLine::robot), plants = varies(&ReportLine::plant);
+  const auto curve_of = [&](const ReportLine& line) {
+    return (robots ? line.robot + ", " : "") + (plants ? line.plant + ", " : "") + line.controller;
+  };
   struct Point {
     std::size_t curve;
     double x;
@@ -57,9 +64,8 @@ Sheet sheet(const Report& report, bool over_roughness) {
   std::vector<Point> points;
   for (const ReportLine& line : report.lines) {
     const std::size_t terrain = place(result.terrains, line.terrain);
-    points.push_back(
-        {place(result.curves, robots ? line.robot + ", " + line.controller : line.controller),
-         over_roughness ? line.roughness : static_cast<double>(terrain), &line});
+    points.push_back({place(result.curves, curve_of(line)),
+                      over_roughness ? line.roughness : static_cast<double>(terrain), &line});
   }
   std::ranges::stable_sort(points, {}, [](const Point& p) { return std::pair(p.curve, p.x); });
   // The interval of a single trial is infinite: none is drawn.
@@ -70,10 +76,10 @@ Sheet sheet(const Report& report, bool over_roughness) {
     const Measured m = line->value.value_or(Measured{0, kNone, kNone, kNone});
     const statistics::Difference d = line->difference ? line->difference->difference
                                                       : statistics::Difference{kNone, kNone, kNone};
-    result.csv.row(curve + 1, x, line->robot, line->terrain, line->roughness, line->controller,
-                   line->trials(), m.count, m.sd.value_or(kNone), m.value, bound(m.lower, m.value),
-                   bound(m.upper, m.value), d.value, bound(d.lower, d.value),
-                   bound(d.upper, d.value));
+    result.csv.row(curve + 1, x, line->robot, line->plant, line->terrain, line->roughness,
+                   line->controller, line->trials(), m.count, m.sd.value_or(kNone), m.value,
+                   bound(m.lower, m.value), bound(m.upper, m.value), d.value,
+                   bound(d.lower, d.value), bound(d.upper, d.value));
   }
   return result;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <hexagait/recording/detail/walk_json.hpp>
 #include <hexagait/sweep/report.hpp>
@@ -95,15 +96,20 @@ std::string in_words(const Report& report) {
                     report.all_trials ? "all trials with a value" : "the trials that walked on");
   text += report.paired ? "differences are paired by seed\n"
                         : "differences are not paired: terrains have seeds of their own\n";
-  const auto row = [&](const auto&... cells) {
-    std::string line =
-        fmt::format("  {:<14} {:<14} {:<12} {:>9} {:>20} {:>9} {:>26}  {}", cells...);
+  // The column of plants is as wide as needed; it is left out where all are ideal.
+  std::size_t width = 0;
+  for (const ReportLine& line : report.lines)
+    if (line.plant != "ideal") width = std::max(width, line.plant.size() + 1);
+  const auto row = [&](std::string plant, const auto&... cells) {
+    plant.resize(width, ' ');
+    std::string line = "  " + plant;
+    line += fmt::format("{:<14} {:<14} {:<12} {:>9} {:>20} {:>9} {:>26}  {}", cells...);
     text += line.erase(line.find_last_not_of(' ') + 1) + '\n';
   };
-  row("robot", "terrain", "controller", "trials", m.yes_no ? "share" : "mean", m.yes_no ? "" : "sd",
-      "less " + report.first, "apart");
+  row("plant", "robot", "terrain", "controller", "trials", m.yes_no ? "share" : "mean",
+      m.yes_no ? "" : "sd", "less " + report.first, "apart");
   for (const ReportLine& line : report.lines)
-    row(line.robot, line.terrain, line.controller, trials(line), value(report, line),
+    row(line.plant, line.robot, line.terrain, line.controller, trials(line), value(report, line),
         line.value && line.value->sd ? fmt::format("{:.2g}", *line.value->sd) : "",
         difference(report, line), accidents(line));
   return text;
@@ -121,6 +127,7 @@ std::string to_json(const Report& report) {
       if (const int count = line.outcomes[static_cast<std::size_t>(outcome)]; count > 0)
         outcomes[std::string(to_string(outcome))] = count;
     result["lines"].push_back({{"robot", line.robot},
+                               {"plant", line.plant},
                                {"terrain", line.terrain},
                                {"roughness", line.roughness},
                                {"controller", line.controller},

@@ -126,7 +126,7 @@ TEST_F(Running, IsNotHeldUpByATrialThatKillsItsProcess) {
     EXPECT_EQ(publish(at(name)).without_result, 1U);
     const std::vector<std::string> rows = lines(at(name) / "trials.csv");
     ASSERT_EQ(rows.size(), 90'001U);
-    EXPECT_THAT(rows[101], testing::StartsWith("100,free,six_feet,flat,0,"));
+    EXPECT_THAT(rows[101], testing::StartsWith("100,free,six_feet,ideal,flat,0,"));
     EXPECT_THAT(rows[101], HasSubstr(",failed,the process that ran it was ended by signal 9 ("));
     EXPECT_EQ(std::ranges::count(rows[101], ','), std::ranges::count(rows[0], ','));
     EXPECT_THAT(rows[102], HasSubstr(",walked,quick,"));

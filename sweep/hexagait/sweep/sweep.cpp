@@ -15,18 +15,19 @@ std::uint64_t seeds_per_terrain(const Sweep& sweep) {
   return sweep.seeds.empty() ? sweep.num_seeds : sweep.seeds.size();
 }
 
-// Trials that share robot, terrain and seed.
+// Trials that share robot, plant, terrain and seed.
 std::uint64_t num_groups(const Sweep& sweep) {
-  return sweep.robots.size() * sweep.terrains.size() * seeds_per_terrain(sweep);
+  return sweep.robots.size() * sweep.plants.size() * sweep.terrains.size() *
+         seeds_per_terrain(sweep);
 }
 
 // The cells that say which trial it is, each with its comma.
 std::string grid_cells(const Sweep& sweep, std::uint64_t k) {
   const GridPoint at = grid_point(sweep, k);
   const Ground& ground = sweep.terrains[at.terrain];
-  return fmt::format("{},{},{},{},{},{},", k, to_string(sweep.controllers[at.controller]),
-                     sweep.robots[at.robot].name, ground.terrain, ground.roughness,
-                     seed(sweep, at));
+  return fmt::format("{},{},{},{},{},{},{},", k, to_string(sweep.controllers[at.controller]),
+                     sweep.robots[at.robot].name, sweep.plants[at.plant].name, ground.terrain,
+                     ground.roughness, seed(sweep, at));
 }
 
 }  // namespace
@@ -38,7 +39,8 @@ std::uint64_t num_trials(const Sweep& sweep) {
 GridPoint grid_point(const Sweep& sweep, std::uint64_t k) {
   const std::uint64_t seeds = seeds_per_terrain(sweep), controllers = sweep.controllers.size();
   const std::uint64_t group = k / controllers, place = group / seeds;
-  return {.robot = place / sweep.terrains.size(),
+  return {.robot = place / sweep.terrains.size() / sweep.plants.size(),
+          .plant = place / sweep.terrains.size() % sweep.plants.size(),
           .terrain = place % sweep.terrains.size(),
           .controller = k % controllers,
           .seed_index = group % seeds};
@@ -56,6 +58,7 @@ TrialConfig trial(const Sweep& sweep, std::uint64_t k) {
   return {.engine = sweep.engine,
           .controller = sweep.controllers[at.controller],
           .robot = &sweep.robots[at.robot].model,
+          .plant = sweep.plants[at.plant],
           .terrain = sweep.terrains[at.terrain].terrain,
           .seed = seed(sweep, at),
           .limits = sweep.limits};
@@ -84,7 +87,7 @@ std::string row_without_result(const Sweep& sweep, std::uint64_t k, Outcome outc
 }
 
 bool has_no_result(std::string_view row) {
-  for (int comma = 0; comma < 6; ++comma) row.remove_prefix(row.find(',') + 1);
+  for (int comma = 0; comma < 7; ++comma) row.remove_prefix(row.find(',') + 1);
   return row.starts_with("failed,") || row.starts_with("timed_out,");
 }
 

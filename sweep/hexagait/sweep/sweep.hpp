@@ -13,12 +13,13 @@ struct Robot {
   RobotModel model;
 };
 
-/// A grid of trials: robots × terrains × seeds × controllers, the last varying fastest, so that the
+/// A grid of trials: robots × plants × terrains × seeds × controllers, the last varying fastest, so that the
 /// trials that are compared are neighbours.
 struct Sweep {
   Engine engine = Engine::slice;
   std::vector<gait_state::GaitChoice> controllers;
   std::vector<Robot> robots;
+  std::vector<recording::PlantSetup> plants = {{}};  ///< how ideal the robots are; ODE only
   std::vector<Ground> terrains;
   std::uint64_t num_seeds = 0;       ///< seeds drawn from the master seed, …
   std::vector<std::uint64_t> seeds;  ///< … unless they are listed here
@@ -29,7 +30,7 @@ struct Sweep {
 
 /// Where a trial is in the grid.
 struct GridPoint {
-  std::size_t robot = 0, terrain = 0, controller = 0;
+  std::size_t robot = 0, plant = 0, terrain = 0, controller = 0;
   std::uint64_t seed_index = 0;
 
   friend bool operator==(const GridPoint&, const GridPoint&) = default;
@@ -41,7 +42,7 @@ struct GridPoint {
 /// Place of trial k: a bijection of 0 … num_trials − 1 and the grid.
 [[nodiscard]] GridPoint grid_point(const Sweep& sweep, std::uint64_t k);
 
-/// The seed that all controllers and robots share on a terrain: the listed one, or 48 bits from
+/// The seed that all controllers, robots and plants share on a terrain: the listed one, or 48 bits from
 /// (master seed, terrain's name, seed index), so that further terrains or seeds move no other.
 [[nodiscard]] std::uint64_t seed(const Sweep& sweep, const GridPoint& point);
 
@@ -50,7 +51,7 @@ struct GridPoint {
 
 /// Columns of trials.csv before those of the engine.
 inline constexpr const char* kGridColumns =
-    "trial,controller,robot,terrain,roughness,seed,outcome,reason";
+    "trial,controller,robot,plant,terrain,roughness,seed,outcome,reason";
 
 /// First line of trials.csv, and the row of trial k, which is run for it; without line ends. What
 /// the trial throws makes a row without a result.

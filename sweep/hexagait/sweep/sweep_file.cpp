@@ -19,12 +19,13 @@ namespace {
 constexpr double kMaxTrials = 1e12;
 constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 
-constexpr std::string_view kKeys[] = {"simulator", "controllers", "terrains", "roughness",
-                                      "seeds",     "master_seed", "measure",  "slices",
-                                      "robots",    "seconds",     "distance", "random_posture"};
+constexpr std::string_view kKeys[] = {
+    "simulator", "controllers", "terrains", "roughness", "seeds",    "master_seed",   "measure",
+    "slices",    "robots",      "plants",   "seconds",   "distance", "random_posture"};
 constexpr YamlKeys kSweep = {"sweep", kKeys};
 
 bool has(Engine engine, std::string_view key) {
+  if (key == "plants") return engine == Engine::ode;
   if (key == "slices") return engine == Engine::slice;
   const bool is_of_walks =
       std::ranges::find(std::begin(kKeys) + 8, std::end(kKeys), key) != std::end(kKeys);
@@ -52,6 +53,7 @@ class SweepReader {
                                              to_string(sweep_.engine), field.key));
     read_controllers();
     read_robots();
+    read_plants();
     read_terrains();
     read_seeds();
     read_limits();
@@ -59,6 +61,7 @@ class SweepReader {
     const double trials = static_cast<double>(sweep_.terrains.size()) *
                           static_cast<double>(sweep_.controllers.size()) *
                           static_cast<double>(sweep_.robots.size()) *
+                          static_cast<double>(sweep_.plants.size()) *
                           static_cast<double>(std::max<std::uint64_t>(sweep_.num_seeds, 1));
     if (trials > kMaxTrials)
       yaml_.refuse(fields_.mark, fmt::format("the grid has {:g} trials; at most {:g} are possible",
@@ -111,6 +114,21 @@ class SweepReader {
         throw InvalidInput(fmt::format("the robot '{}' has a comma or quote in its name", name));
       add_once(item, "robot", sweep_.robots, Robot{name, load_urdf(robot_file_(name))},
                [](const Robot& robot) { return robot.name; });
+    } catch (const InvalidInput& error) {
+      yaml_.refuse(item.mark, error.what());
+    }
+  }
+
+  void read_plants() {
+    if (!yaml_.find(fields_, "plants")) return;
+    sweep_.plants.clear();
+    for (const YamlField& item : list("plants", "[ideal, real]")) read_plant(item);
+  }
+
+  void read_plant(const YamlField& item) {
+    try {
+      add_once(item, "plant", sweep_.plants, recording::parse_plant(yaml_.node(item.node).text),
+               &recording::PlantSetup::name);
     } catch (const InvalidInput& error) {
       yaml_.refuse(item.mark, error.what());
     }

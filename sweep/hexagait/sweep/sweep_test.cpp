@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sweep.hpp"
 
+#include <hexagait/sweep/detail/header.hpp>
 #include <hexagait/sweep/detail/scratch_sweep.hpp>
 #include <hexagait/text/invalid_input.hpp>
 #include <set>
@@ -11,21 +12,23 @@ namespace {
 
 using Grid = ScratchSweep;
 
-// 3 controllers × 3 terrains × 7 seeds × 2 robots: 126 trials, each a cell of its own.
+// 3 controllers × 3 terrains × 7 seeds × 2 plants × 2 robots: 252 trials, each a cell of its own.
 TEST_F(Grid, NumbersItsPointsOneToOne) {
   Sweep sweep = slices(7);
   sweep.robots.push_back({.name = "other", .model = {}});
-  ASSERT_EQ(num_trials(sweep), 126U);
-  std::set<std::array<std::uint64_t, 4>> cells;
-  for (std::uint64_t k = 0; k < 126; ++k) {
+  sweep.plants.push_back(recording::parse_plant("real"));
+  ASSERT_EQ(num_trials(sweep), 252U);
+  std::set<std::array<std::uint64_t, 5>> cells;
+  for (std::uint64_t k = 0; k < 252; ++k) {
     const GridPoint c = grid_point(sweep, k);
     EXPECT_LT(c.robot, 2U);
+    EXPECT_LT(c.plant, 2U);
     EXPECT_LT(c.terrain, 3U);
     EXPECT_LT(c.controller, 3U);
     EXPECT_LT(c.seed_index, 7U);
-    cells.insert({c.robot, c.terrain, c.controller, c.seed_index});
+    cells.insert({c.robot, c.plant, c.terrain, c.controller, c.seed_index});
   }
-  EXPECT_EQ(cells.size(), 126U);
+  EXPECT_EQ(cells.size(), 252U);
 }
 
 // Trials 0, 1, 2 are the three controllers on the same ground: that is what is compared.
@@ -111,6 +114,47 @@ TEST_F(SweepFile, IsAGridOfAllThatItLists) {
   EXPECT_EQ(sweep.limits.seconds, 3.0);
   EXPECT_EQ(sweep.master_seed, 8U);
   EXPECT_EQ(sweep.measure, "distance_m");
+}
+
+// Plants are an axis: each trial has its own, with the seed of the others on its terrain, so that
+// they are paired; all their numbers are in the header, which merging compares.
+TEST_F(SweepFile, HasPlantsAsAnAxis) {
+  std::ofstream(at("a.yaml")) << "simulator: ode\ncontrollers: [free]\nterrains: [flat]\nseeds: 2\n"
+                                 "plants: [ideal, real+friction:0.4, joint_noise:2mrad]\n"
+                                 "seconds: 0.1\n";
+  const Sweep sweep = load_sweep(at("a.yaml"), argos);
+  ASSERT_EQ(num_trials(sweep), 6U);
+  EXPECT_EQ(trial(sweep, 2).plant.world.friction, 0.4);
+  EXPECT_EQ(trial(sweep, 4).plant.faults.joint_noise, 0.002);
+  EXPECT_EQ(trial(sweep, 4).seed, trial(sweep, 0).seed);
+  EXPECT_NE(trial(sweep, 5).seed, trial(sweep, 0).seed);
+  EXPECT_TRUE(row(sweep, 2).starts_with("2,free,argos,real+friction:0.4,flat,0,"));
+  const std::string hash = row(sweep, 4).substr(row(sweep, 4).rfind(','));
+  EXPECT_EQ(row(sweep, 4).substr(row(sweep, 4).rfind(',')), hash);
+  EXPECT_FALSE(row(sweep, 0).ends_with(hash));
+
+  std::ofstream(at("b.yaml")) << "simulator: ode\ncontrollers: [free]\nterrains: [flat]\nseeds: 2\n"
+                                 "plants: [ideal, real+friction:0.4, joint_noise:1mrad]\n"
+                                 "seconds: 0.1\n";
+  const std::string one = to_header(sweep, {}),
+                    other = to_header(load_sweep(at("b.yaml"), argos), {});
+  EXPECT_THAT(differences(one, other, true),
+              testing::Contains(testing::HasSubstr("joint_noise_rad\":0.002")));
+}
+
+TEST_F(SweepFile, RefusesPlantsThatAreNone) {
+  std::ofstream(at("x.yaml")) << "simulator: ode\ncontrollers: [free]\nterrains: [flat]\nseeds: 1\n"
+                                 "plants: [rael, real, real, late_ticks:200%]\n";
+  const std::string text = refusal([&] { static_cast<void>(load_sweep(at("x.yaml"), argos)); });
+  for (const char* part :
+       {":5:10: 'rael' is no plant; did you mean 'real'?", ":5:22: the plant 'real' is there twice",
+        ":5:28: late_ticks is '200%'; it must be a share from 0 to 1"})
+    EXPECT_THAT(text, testing::HasSubstr(part));
+  std::ofstream(at("y.yaml"))
+      << "simulator: box2d\ncontrollers: [free]\nterrains: [flat]\nseeds: 1\n"
+         "plants: [real]\n";
+  EXPECT_THAT(refusal([&] { static_cast<void>(load_sweep(at("y.yaml"), argos)); }),
+              testing::HasSubstr("the simulator 'box2d' has no 'plants'"));
 }
 
 // Quantities are read as everywhere else; seeds have more digits than a double has.

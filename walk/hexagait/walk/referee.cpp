@@ -13,7 +13,9 @@ namespace {
 
 using footstep_gen::TickRecord;
 
-constexpr double kSettling = 0.02;  // a support younger than this may still lose contact [s]
+constexpr double kSettling = 0.02;   // a support younger than this may still lose contact [s]
+constexpr double kBriefLoss = 0.02;  // a loss of contact up to so long may be a bounce [s], ...
+constexpr double kNearLoss = 0.005;  // ... if the foot goes no farther [m]
 
 PlanarPose in_plane(const Pose& X_WB) { return {roll_pitch_yaw(X_WB.R).z(), X_WB.p.head<2>()}; }
 
@@ -128,15 +130,26 @@ void Referee::watch_support(const TickRecord& record, const GroundTruth& truth) 
     const LegLane& lane = record.legs[i];
     Support& support = supports_[i];
     if (lane.touched_down) {
-      support = {};
+      support = {.p_W = truth.feet[i].p_WF};
       swing_times_.push_back(truth.time - lift_time_[i]);
     }
     if (record.lifts.contains(i)) lift_time_[i] = truth.time;
     support.age += dt_;
+    const FootTruth& foot = truth.feet[i];
+    if (foot.in_contact) support.p_W = foot.p_WF;
     if (lane.phase != LegPhase::support || !lane.confirmed) continue;
-    const bool lost = !truth.feet[i].in_contact && support.age > kSettling;
-    if (lost && !support.lost) ++summary_.contact_losses;
+    const bool lost = !foot.in_contact && support.age > kSettling;
+    if (lost && !support.lost) {
+      ++summary_.contact_losses;
+      support.off = 0.0;
+      support.is_real = false;
+    }
     support.lost = lost;
+    if (!lost || support.is_real) continue;
+    support.off += dt_;
+    support.is_real =
+        support.off > kBriefLoss + 1e-9 || (foot.p_WF - support.p_W).norm() > kNearLoss;
+    if (support.is_real) ++summary_.real_contact_losses;
   }
 }
 

@@ -54,8 +54,11 @@ class Referee {
   };
   /// A leg's present support, as the controller has it.
   struct Support {
-    double age = 0.0;  ///< [s]
-    bool lost = false;
+    double age = 0.0;               ///< [s]
+    bool lost = false;              ///< it has no contact
+    bool is_real = false;           ///< it has been without for long, or has gone far
+    double off = 0.0;               ///< time without [s]
+    Vector3 p_W = Vector3::Zero();  ///< where the foot last touched [m]
   };
 
   void follow_path(const footstep_gen::TickRecord& record, const GroundTruth& truth);

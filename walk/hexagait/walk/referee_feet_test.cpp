@@ -177,5 +177,31 @@ TEST(Referee, CountsEachLossOfContactOnce) {
   EXPECT_EQ(walk.referee.summary().contact_losses, 2);
 }
 
+// Of losses, 10 ticks of 2 ms in place are a bounce; 11 are none, nor is a tick in which the
+// foot goes 6 mm; 4 mm are.
+TEST(Referee, ALossOfContactIsRealIfItLastsOrGoesFar) {
+  HandMadeWalk walk;
+  walk.tick(20);
+  const auto lose = [&walk](int ticks, double distance) {
+    FootTruth& foot = walk.truth.feet[4];
+    foot.in_contact = false;
+    foot.p_WF.z() -= distance;
+    walk.tick(ticks);
+    foot.in_contact = true;
+    foot.p_WF.z() += distance;
+    walk.tick(5);
+    return std::pair(walk.referee.summary().contact_losses,
+                     walk.referee.summary().real_contact_losses);
+  };
+  walk.land(4);
+  walk.tick(20);
+  walk.record.legs[4].confirmed = true;
+  EXPECT_EQ(lose(10, 0.0), std::pair(1, 0));
+  EXPECT_EQ(lose(11, 0.0), std::pair(2, 1));
+  EXPECT_EQ(lose(1, 0.006), std::pair(3, 2));
+  EXPECT_EQ(lose(1, 0.004), std::pair(4, 2));
+  EXPECT_EQ(lose(100, 0.1), std::pair(5, 3));
+}
+
 }  // namespace
 }  // namespace hexagait::walk

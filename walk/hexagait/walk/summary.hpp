@@ -46,9 +46,12 @@ struct Summary {
   double neighbour_flight = 0.0;  ///< time in which two neighbours were off the ground [s]
   double leg_touch_time = 0.0;    ///< in which a leg touched the ground, not with its foot [s]
   int contact_losses = 0;  ///< times a leg in support lost all contact, after its first 20 ms
-  bool fell = false;       ///< the base touched the ground, or tilted by more than 60°
-  bool stuck = false;      ///< no 5 cm (or 0.05 rad of a spin) of progress in 10 s
-  bool arrived = false;    ///< the distance asked for was reached
+  /// Those of them that lasted longer than 20 ms, or in which the foot went more than 5 mm from where
+  /// it last touched. The others are bounces, most of them when another foot strikes the ground.
+  int real_contact_losses = 0;
+  bool fell = false;     ///< the base touched the ground, or tilted by more than 60°
+  bool stuck = false;    ///< no 5 cm (or 0.05 rad of a spin) of progress in 10 s
+  bool arrived = false;  ///< the distance asked for was reached
   footstep_gen::Fault fault = footstep_gen::Fault::none;  ///< why the controller stopped, if it did
 
   double real_time_factor = 0.0;             ///< simulated seconds per second of processor time

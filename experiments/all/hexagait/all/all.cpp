@@ -3,6 +3,7 @@
 #include <hexagait/all/all.hpp>
 #include <hexagait/fg16/fg16.hpp>
 #include <hexagait/pc04/pc04.hpp>
+#include <hexagait/sensitivity/sensitivity.hpp>
 
 namespace hexagait::experiments {
 
@@ -29,6 +30,8 @@ const std::vector<Experiment>& experiments() {
        fg16_fig7},
       {"walks", "the walks by which the controller is judged: headings, postures, terrain", walks},
       {"rates", "control periods of 1 to 20 ms: ten headings on flat ground, and boxes", rates},
+      {"sensitivity", "what each imperfection of a robot costs, and at which size it breaks",
+       sensitivity},
   };
   return all;
 }

@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr int kFormat = 2;
+constexpr int kFormat = 3;
 
 // Beside version and parameters the simulator that takes part, and the models of all robots: what
 // had no say in the rows is no reason to keep them apart.
@@ -78,6 +78,9 @@ std::string to_header(const Sweep& sweep, const Shard& shard) {
   json["simulator"] = to_string(sweep.engine);
   for (const gait_state::GaitChoice& choice : sweep.controllers)
     json["controllers"].push_back(to_string(choice));
+  if (sweep.engine == Engine::ode)
+    for (const recording::PlantSetup& plant : sweep.plants)
+      json["plants"][plant.name] = recording::json(plant);
   for (const Ground& ground : sweep.terrains) json["terrains"].push_back(ground.terrain);
   json["seeds"] = seeds(sweep);
   json["limits"] = limits(sweep);

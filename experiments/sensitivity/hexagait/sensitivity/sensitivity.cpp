@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <hexagait/experiments/walk_checks.hpp>
+#include <hexagait/figures/table.hpp>
+#include <hexagait/recording/plant_setup.hpp>
+#include <hexagait/sensitivity/costs.hpp>
+#include <hexagait/sensitivity/sensitivity.hpp>
+#include <hexagait/sweep/report.hpp>
+#include <hexagait/sweep/results.hpp>
+#include <hexagait/sweep/run_shard.hpp>
+#include <stdexcept>
+
+namespace hexagait::experiments {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kBoxes = "boxes:0.10";
+
+// A directory that is gone when this is.
+class ScratchDirectory {
+ public:
+  ScratchDirectory() {
+    std::string name = (fs::temp_directory_path() / "hexagait-sensitivity-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr)
+      throw std::runtime_error("can't make a directory in " + fs::temp_directory_path().string());
+    path_ = name;
+  }
+  ~ScratchDirectory() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ScratchDirectory(const ScratchDirectory&) = delete;
+  ScratchDirectory& operator=(const ScratchDirectory&) = delete;
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+PageHead head(bool short_form) {
+  return short_form ? PageHead{0.3, 5.0, 1, 1, true} : PageHead{5.0, 45.0, 4, 12, false};
+}
+
+sweep::Sweep sweep_of(const ExperimentContext& context, const std::vector<Ladder>& ladders,
+                      const PageHead& head, const std::string& terrain, std::uint64_t seeds) {
+  sweep::Sweep sweep;
+  sweep.engine = sweep::Engine::ode;
+  sweep.controllers = {{}};
+  sweep.robots = {{context.robot->name, *context.robot}};
+  sweep.plants.clear();
+  for (const Ladder& ladder : ladders)
+    for (const std::string& plant : ladder.plants)
+      sweep.plants.push_back(recording::parse_plant(plant));
+  sweep.terrains = {sweep::ground(sweep::Engine::ode, terrain)};
+  sweep.num_seeds = seeds;
+  sweep.limits.seconds = head.seconds;
+  sweep.limits.distance = head.distance;
+  sweep.measure = "speed_m_s";
+  return sweep;
+}
+
+// A column, by plant.
+std::vector<sweep::ReportLine> lines(const fs::path& directory, const char* measure,
+                                     bool all_trials = false) {
+  return sweep::make_report(
+             directory,
+             {.measure = measure, .compare = sweep::Compare::plants, .all_trials = all_trials})
+      .lines;
+}
+
+double mean(const sweep::ReportLine& line) {
+  return line.value ? line.value->value : std::numeric_limits<double>::quiet_NaN();
+}
+
+// By plant, in the order of the sweep.
+std::vector<Cost> costs(const fs::path& directory) {
+  const auto arrived = lines(directory, "arrived"), speed = lines(directory, "speed_m_s"),
+             off_path = lines(directory, "lateral_mean_m"), steps = lines(directory, "steps", true),
+             losses = lines(directory, "contact_losses", true),
+             real = lines(directory, "real_contact_losses", true);
+  std::vector<Cost> result;
+  for (std::size_t k = 0; k < arrived.size(); ++k) {
+    const auto per_step = [&](const sweep::ReportLine& of) {
+      return mean(steps[k]) > 0.0 ? mean(of) / mean(steps[k]) : 0.0;
+    };
+    const int trials = arrived[k].value ? arrived[k].value->count : 0;
+    const auto count = static_cast<int>(std::lround(mean(arrived[k]) * trials));
+    result.push_back({.arrived = statistics::proportion(count, trials),
+                      .speed = mean(speed[k]),
+                      .off_path = mean(off_path[k]),
+                      .losses = per_step(losses[k]),
+                      .real_losses = per_step(real[k])});
+  }
+  return result;
+}
+
+// Walks of one terrain, of which all results are in; none if it was stopped.
+std::vector<Cost> walk(const ExperimentContext& context, const sweep::Sweep& sweep, double share,
+                       double before) {
+  const ScratchDirectory scratch;
+  const fs::path directory = scratch.path() / "sweep";
+  const sweep::RunOutcome outcome =
+      sweep::run_shard(sweep, {}, directory,
+                       {.jobs = context.jobs,
+                        .stop = context.stop,
+                        .progress = [&](std::uint64_t finished, std::uint64_t whole) {
+                          if (context.progress)
+                            context.progress(before + share * static_cast<double>(finished) /
+                                                          static_cast<double>(whole));
+                        }});
+  if (context.stop != nullptr && context.stop->load()) return {};
+  if (!outcome.complete() || outcome.without_result > 0)
+    throw std::runtime_error(fmt::format("{} of {} walks have no result",
+                                         outcome.trials - outcome.finished + outcome.without_result,
+                                         outcome.trials));
+  sweep::publish(directory);
+  return costs(directory);
+}
+
+// How well it walks with the plant that is called real.
+Verdict judge_real(const PlantCost& real) {
+  return {.claim = "With the plant `real` it walks as with an ideal one",
+          .checks = {{{"walks over boxes:0.10 that arrive", real.boxes.arrived}, exactly(100.0)},
+                     {{"walks on flat ground that arrive", real.flat.arrived}, exactly(100.0)},
+                     {{"mean distance from the path, flat", "cm", 100.0 * real.flat.off_path},
+                      at_most(1.0)}}};
+}
+
+figures::Table table(const std::vector<PlantCost>& all) {
+  figures::Table table{{"plant", "terrain", "arrived", "trials", "arrived_lower", "arrived_upper",
+                        "speed_m_s", "off_path_m", "losses_per_step", "real_losses_per_step"},
+                       {}};
+  for (const PlantCost& plant : all)
+    for (const auto& [terrain, cost] :
+         {std::pair("flat", &plant.flat), std::pair(kBoxes, &plant.boxes)})
+      table.rows.push_back(
+          {plant.plant, terrain, std::to_string(cost->arrived.count),
+           std::to_string(cost->arrived.trials), fmt::format("{:.3f}", cost->arrived.lower),
+           fmt::format("{:.3f}", cost->arrived.upper), fmt::format("{:.4f}", cost->speed),
+           fmt::format("{:.5f}", cost->off_path), fmt::format("{:.3f}", cost->losses),
+           fmt::format("{:.3f}", cost->real_losses)});
+  return table;
+}
+
+}  // namespace
+
+Outcome sensitivity(const ExperimentContext& context, figures::StagedFiles& files) {
+  const std::vector<Ladder> ladders = experiments::ladders(context.short_form);
+  const PageHead head = experiments::head(context.short_form);
+  const double both = static_cast<double>(head.flat_seeds + head.boxes_seeds);
+  const double share = static_cast<double>(head.flat_seeds) / both;
+  const sweep::Sweep flat = sweep_of(context, ladders, head, "flat", head.flat_seeds);
+  const sweep::Sweep boxes = sweep_of(context, ladders, head, kBoxes, head.boxes_seeds);
+  const std::vector<Cost> on_flat = walk(context, flat, share, 0.0);
+  if (on_flat.empty()) return {};
+  const std::vector<Cost> on_boxes = walk(context, boxes, 1.0 - share, share);
+  if (on_boxes.empty()) return {};
+
+  std::vector<PlantCost> all;
+  for (std::size_t k = 0; k < flat.plants.size(); ++k)
+    all.push_back({flat.plants[k].name, on_flat[k], on_boxes[k]});
+  files.write("sensitivity.md", page(head, ladders, all));
+  const figures::Table numbers = table(all);
+  write_csv(files, "sensitivity.csv", numbers);
+  return {.verdicts = {judged_in_full_only(judge_real(cost_of("real", all)), context.short_form)},
+          .settings = {{"robot", context.robot->name},
+                       {"plants", std::to_string(all.size())},
+                       {"walks",
+                        fmt::format("{}", sweep::num_trials(flat) + sweep::num_trials(boxes))}},
+          .provenance = recording::provenance(context.robot->name, *context.robot, {}),
+          .table = numbers};
+}
+
+}  // namespace hexagait::experiments
