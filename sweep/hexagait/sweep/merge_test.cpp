@@ -237,7 +237,8 @@ TEST_F(Reporting, RefusesADamagedTableWithItsLine) {
               HasSubstr(":3: the column 'seed' has 'x'"));
   EXPECT_THAT(says("1,free,r,ideal,flat,0,2,flew,,3,\n"),
               HasSubstr("the column 'outcome' has 'flew'"));
-  EXPECT_THAT(says(good), HasSubstr("'free' with 'r' on 'flat' and seed 1 is there twice"));
+  EXPECT_THAT(says(good),
+              HasSubstr("'free' with 'r', 'ideal' on 'flat' and seed 1 is there twice"));
   rows("");
   EXPECT_THAT(refusal([&] { static_cast<void>(report()); }), HasSubstr("has no trials"));
   std::ofstream(at("a") / "trials.csv") << "trial,speed_units_per_slice\n";
@@ -248,9 +249,10 @@ TEST_F(Reporting, RefusesADamagedTableWithItsLine) {
 // A robot that fell in the first second was fast: it counts among the falls, not in the mean.
 TEST_F(Reporting, CountsFallsApartUnlessAllTrialsAreAskedFor) {
   rows(
-      "0,free,r,ideal,flat,0,1,walked,,1,\n1,free,r,flat,0,2,late,,3,\n2,free,r,flat,0,3,fell,,50,"
+      "0,free,r,ideal,flat,0,1,walked,,1,\n1,free,r,ideal,flat,0,2,late,,3,\n2,free,r,ideal,flat,0,"
+      "3,fell,,50,"
       "\n"
-      "3,free,r,ideal,flat,0,4,stuck,,0,\n4,free,r,flat,0,5,timed_out,it took longer,,\n");
+      "3,free,r,ideal,flat,0,4,stuck,,0,\n4,free,r,ideal,flat,0,5,timed_out,it took longer,,\n");
   const Report of = report();
   EXPECT_DOUBLE_EQ(of.lines[0].value->value, 2.0);
   EXPECT_THAT(in_words(of), AllOf(HasSubstr("2/5"), HasSubstr("1 fell, 1 stuck, 1 timed_out")));
@@ -273,8 +275,9 @@ TEST_F(Reporting, GivesProportionsAnIntervalThatIsNeverEmpty) {
   run(sweep, "a");
   std::string text = std::string(kHead) + "fell\n";
   for (int seed = 0; seed < 20; ++seed)
-    text += fmt::format("0,free,r,ideal,flat,0,{0},walked,,0\n1,tripod,r,flat,0,{0},{1},,{2}\n",
-                        seed, seed < 5 ? "fell" : "walked", seed < 5 ? 1 : 0);
+    text +=
+        fmt::format("0,free,r,ideal,flat,0,{0},walked,,0\n1,tripod,r,ideal,flat,0,{0},{1},,{2}\n",
+                    seed, seed < 5 ? "fell" : "walked", seed < 5 ? 1 : 0);
   std::ofstream(at("a") / "trials.csv") << text;
   const Report of = report();
   EXPECT_EQ(of.lines[0].value->value, 0.0);
@@ -297,10 +300,24 @@ TEST_F(Reporting, ComparesTerrainsAndRobotsToo) {
               of.lines[4].value->value - of.lines[1].value->value, 1e-12);
   EXPECT_THAT(in_words(of), AllOf(HasSubstr("less flat"), HasSubstr("not paired")));
 
-  rows("0,free,a,ideal,flat,0,1,walked,,4,\n1,free,b,flat,0,1,walked,,5,\n");
+  rows("0,free,a,ideal,flat,0,1,walked,,4,\n1,free,b,ideal,flat,0,1,walked,,5,\n");
   const Report robots = report({.compare = Compare::robots});
   EXPECT_TRUE(robots.paired);
   EXPECT_DOUBLE_EQ(*robots.lines[1].difference->percent, 25.0);
+}
+
+// The same seeds on the same terrain: pairs. A table of imperfect plants names them.
+TEST_F(Reporting, ComparesPlantsPairwise) {
+  rows(
+      "0,free,r,ideal,flat,0,1,walked,,4,\n1,free,r,ideal,flat,0,2,walked,,6,\n"
+      "2,free,r,real,flat,0,2,walked,,3,\n3,free,r,real,flat,0,1,walked,,2,\n");
+  const Report of = report({.compare = Compare::plants});
+  EXPECT_TRUE(of.paired);
+  EXPECT_EQ(of.lines[1].plant, "real");
+  EXPECT_DOUBLE_EQ(of.lines[1].difference->difference.value, -2.5);
+  EXPECT_EQ(of.lines[1].difference->count, 2);
+  EXPECT_THAT(in_words(of), AllOf(HasSubstr("less ideal"), HasSubstr("  real ")));
+  EXPECT_EQ(nlohmann::json::parse(to_json(of))["lines"][1]["plant"], "real");
 }
 
 // A wave gait never becomes a tripod: its cells are empty, and no mean is made of them.

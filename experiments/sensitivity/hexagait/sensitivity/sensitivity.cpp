@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <hexagait/experiments/walk_checks.hpp>
-#include <hexagait/figures/table.hpp>
+#include <hexagait/figures/csv.hpp>
 #include <hexagait/recording/plant_setup.hpp>
 #include <hexagait/sensitivity/costs.hpp>
 #include <hexagait/sensitivity/sensitivity.hpp>
@@ -132,19 +132,16 @@ Verdict judge_real(const PlantCost& real) {
                       at_most(1.0)}}};
 }
 
-figures::Table table(const std::vector<PlantCost>& all) {
-  figures::Table table{{"plant", "terrain", "arrived", "trials", "arrived_lower", "arrived_upper",
-                        "speed_m_s", "off_path_m", "losses_per_step", "real_losses_per_step"},
-                       {}};
+figures::Csv table(const std::vector<PlantCost>& all) {
+  figures::Csv table(
+      "plant,terrain,arrived,trials,arrived_lower,arrived_upper,speed_m_s,off_path_m,"
+      "losses_per_step,real_losses_per_step");
   for (const PlantCost& plant : all)
     for (const auto& [terrain, cost] :
          {std::pair("flat", &plant.flat), std::pair(kBoxes, &plant.boxes)})
-      table.rows.push_back(
-          {plant.plant, terrain, std::to_string(cost->arrived.count),
-           std::to_string(cost->arrived.trials), fmt::format("{:.3f}", cost->arrived.lower),
-           fmt::format("{:.3f}", cost->arrived.upper), fmt::format("{:.4f}", cost->speed),
-           fmt::format("{:.5f}", cost->off_path), fmt::format("{:.3f}", cost->losses),
-           fmt::format("{:.3f}", cost->real_losses)});
+      table.row(plant.plant, terrain, cost->arrived.count, cost->arrived.trials,
+                cost->arrived.lower, cost->arrived.upper, cost->speed, cost->off_path, cost->losses,
+                cost->real_losses);
   return table;
 }
 
@@ -166,8 +163,8 @@ Outcome sensitivity(const ExperimentContext& context, figures::StagedFiles& file
   for (std::size_t k = 0; k < flat.plants.size(); ++k)
     all.push_back({flat.plants[k].name, on_flat[k], on_boxes[k]});
   files.write("sensitivity.md", page(head, ladders, all));
-  const figures::Table numbers = table(all);
-  write_csv(files, "sensitivity.csv", numbers);
+  const figures::Csv numbers = table(all);
+  files.write("sensitivity.csv", numbers.text());
   return {.verdicts = {judged_in_full_only(judge_real(cost_of("real", all)), context.short_form)},
           .settings = {{"robot", context.robot->name},
                        {"plants", std::to_string(all.size())},
