@@ -15,8 +15,8 @@ Cost cost(int arrived, double speed) {
 }
 
 const std::vector<PlantCost> kCosts = {{"ideal", cost(10, 0.20), cost(10, 0.15)},
-                                       {"late_ticks:1%", cost(10, 0.16), cost(8, 0.12)},
-                                       {"late_ticks:5%", cost(10, 0.16), cost(7, 0.12)},
+                                       {"late_ticks:1%", cost(10, 0.161), cost(8, 0.121)},
+                                       {"late_ticks:5%", cost(10, 0.161), cost(7, 0.121)},
                                        {"late_ticks:9%", cost(10, 0.20), cost(10, 0.15)},
                                        {"servo_lag:1ms", cost(10, 0.15), cost(10, 0.15)},
                                        {"armature:1kgm2", {}, {}}};
@@ -70,7 +70,7 @@ TEST(Sensitivity, ThePageHasALinePerPlantAndPerFault) {
                                 costs);
   for (const char* part :
        {"| `late_ticks` | Probability that", "| **5%** |", "| **1kgm2** |",
-        "| `late_ticks:5%` | 10 of 10 (72–100 %) | 0.160 | 80 | 1.0 | 0.00 (0.00) | 7 of 10 (40–",
+        "| `late_ticks:5%` | 10 of 10 (72–100 %) | 0.161 | 80 | 1.0 | 0.00 (0.00) | 7 of 10 (40–",
         "| `armature:1kgm2` | 0 of 10 (0–28 %) | – | – | – |"})
     EXPECT_THAT(text, testing::HasSubstr(part));
 }
