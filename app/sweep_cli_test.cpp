@@ -146,7 +146,7 @@ TEST_F(SweepCli, NamesTheSeedThatWalksTheSameWalkAgain) {
   row = row.substr(row.rfind('\n') + 1);
   std::istringstream cells(row);
   std::string seed;
-  for (int i = 0; i < 6; ++i) std::getline(cells, seed, ',');
+  for (int i = 0; i < 7; ++i) std::getline(cells, seed, ',');
   const Result walk =
       run("walk --gait wave:0.75 --terrain boxes:0.1 --random-posture 0.05 "
           "--seconds 2 --json --seed " +
