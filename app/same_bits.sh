@@ -8,7 +8,7 @@
 #   app/same_bits.sh fma HEXAGAIT      the C library without fused multiply-add gives the same hashes
 #   app/same_bits.sh write HEXAGAIT    makes app/golden_hashes.txt anew
 #
-# Exit status 77: this processor cannot tell.
+# Exit status 77: this processor, or a missing file of hashes, cannot tell.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 mode=$1 hexagait=$(realpath "$2")
@@ -57,6 +57,10 @@ without_fma() {
 
 case "$mode" in
   golden)
+    if [[ ! -f $golden ]]; then
+      echo "There is no $golden; \"app/same_bits.sh write HEXAGAIT\" makes it"
+      exit 77
+    fi
     hashes >"$scratch/now"
     diff "$golden" "$scratch/now"
     ;;

@@ -7,9 +7,12 @@
 
 # Warnings, for our own targets only; and no fused multiply-add: the same bits from every processor and
 # every optimisation level that keeps IEEE arithmetic. Those who link to us get this as well, from the
-# room math: inline functions of our headers are compiled in their sources too.
+# room math: inline functions of our headers are compiled in their sources too. Nobody reads errno or the
+# flags of floating-point exceptions after a square root: not to set them changes no result. Nor does
+# that a function calls another one of its library without asking who else may define it.
 function(hexagait_options target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -ffp-contract=off
+                         -fno-math-errno -fno-trapping-math -fno-semantic-interposition
                          $<$<BOOL:${HEXAGAIT_WERROR}>:-Werror>)
 endfunction()
 

@@ -49,7 +49,7 @@ PlanarPose displacement(const PathArc& arc, double s) noexcept {
 }
 
 Vector3 advance(const PathArc& arc, const Vector3& p_B, double s) noexcept {
-  const Vector2 p = displacement(arc, s) * Vector2(p_B.head<2>());
+  const Vector2 p = carried(p_B.head<2>(), arc.per_metre, s);
   return {p.x(), p.y(), p_B.z()};
 }
 

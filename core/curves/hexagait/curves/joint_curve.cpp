@@ -123,17 +123,18 @@ JointState JointCurve::at(double t) const noexcept {
     result.qd.segment<3>(i) = three.v;
     result.qdd.segment<3>(i) = three.a;
   }
-  if (efforts_.empty()) return result;
-  if (efforts_.size() == 1) {
-    result.effort = efforts_.front();
-    return result;
-  }
+  result.effort = effort_at(t);
+  return result;
+}
+
+LegJoints JointCurve::effort_at(double t) const noexcept {
+  if (efforts_.empty()) return LegJoints::Zero();
+  if (efforts_.size() == 1) return efforts_.front();
   const QuinticSpline& spline = splines_[0];
   const std::size_t k = spline.segment(t);
   const double begin = spline.nodes()[k].time, end = spline.nodes()[k + 1].time;
   const double share = std::clamp((t - begin) / (end - begin), 0.0, 1.0);
-  result.effort = (1.0 - share) * efforts_[k] + share * efforts_[k + 1];
-  return result;
+  return (1.0 - share) * efforts_[k] + share * efforts_[k + 1];
 }
 
 }  // namespace hexagait

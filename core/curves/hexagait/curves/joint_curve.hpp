@@ -67,6 +67,8 @@ class JointCurve {
   [[nodiscard]] double duration() const noexcept { return splines_[0].duration(); }
   /// @param t  since the start [s], clamped into [0, duration()]
   [[nodiscard]] JointState at(double t) const noexcept;
+  /// The efforts of at(t) alone.
+  [[nodiscard]] LegJoints effort_at(double t) const noexcept;
 
  private:
   std::array<QuinticSpline, kMaxLegJoints / 3> splines_;  // three joints each

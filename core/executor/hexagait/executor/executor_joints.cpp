@@ -89,14 +89,18 @@ void Executor::set_efforts(const RobotState& state, double dt) noexcept {
                        .trig = trig_,
                        .load = LegArray<double>(n),
                        .up_B = state.X_OB.R.row(2),
-                       .q = targets_.q,
-                       .normal_B = LegArray<Vector3>(n),
+                       .q = {},
+                       .normal_B = {},
                        .error = base_error_};
+  const bool virtual_model = params_.controller == WholeBodyController::virtual_model;
+  if (virtual_model) {
+    input.q = targets_.q;
+    input.normal_B = LegArray<Vector3>(n);
+  }
   for (LegId i = 0; i < n; ++i) {
     input.p_BF[i] = legs_[i].p_BF;
     input.load[i] = legs_[i].load;
-    if (params_.controller == WholeBodyController::virtual_model)
-      input.normal_B[i] = state.X_OB.R.transpose() * legs_[i].normal_O;
+    if (virtual_model) input.normal_B[i] = state.X_OB.R.transpose() * legs_[i].normal_O;
   }
   JointEfforts efforts =
       joint_efforts(params_.controller, *model_, input, params_.gravity, params_.virtual_model);
@@ -146,7 +150,7 @@ void Executor::set_effort(LegId leg, const LegJoints& effort) noexcept {
 LegJoints Executor::planned_effort(LegId leg, const RobotState& state) const noexcept {
   const LegPlan& plan = plans_[leg];
   if (legs_[leg].phase != LegPhase::follow) return LegJoints::Zero();
-  if (plan.kind == LegPlan::Kind::joints) return plan.joints.at(legs_[leg].time).effort;
+  if (plan.kind == LegPlan::Kind::joints) return plan.joints.effort_at(legs_[leg].time);
   if (plan.force_O.isZero()) return LegJoints::Zero();
   return foot_jacobian(model_->legs[leg], trig_[leg]).transpose() *
          (state.X_OB.R.transpose() * plan.force_O);

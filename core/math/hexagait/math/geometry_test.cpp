@@ -37,6 +37,17 @@ TEST(PlanarExponential, IsUndoneByTheLogarithm) {
   }
 }
 
+TEST(PlanarExponential, CarriesPoints) {
+  RandomSequence random{.seed = 3};
+  for (int k = 0; k < 1000; ++k) {
+    const PlanarTwist twist{{random.uniform(-2, 2), random.uniform(-2, 2)},
+                            k % 3 == 0 ? 0.0 : random.uniform(-3.1, 3.1)};
+    const Vector2 p(random.uniform(-2, 2), random.uniform(-2, 2));
+    const double s = random.uniform(-1, 1);
+    EXPECT_NEAR((carried(p, twist, s) - exponential(twist, s) * p).norm(), 0.0, 1e-14);
+  }
+}
+
 TEST(PlanarPose, TimesItsInverseIsTheIdentity) {
   const PlanarPose pose{0.7, {0.3, -2.0}};
   const PlanarPose identity = pose * pose.inverse();

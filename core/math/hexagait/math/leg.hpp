@@ -8,6 +8,8 @@
 #include <cassert>
 #include <cstdint>
 #include <initializer_list>
+#include <iterator>
+#include <utility>
 
 namespace hexagait {
 
@@ -50,13 +52,30 @@ class LegSet {
   std::uint32_t bits_ = 0;
 };
 
-/// An array of up to kCapacity values, stored inline.
+/// An array of up to kCapacity values, stored inline. A copy costs what is used, not what could be.
 template <class T, int kCapacity>
 class InlineArray {
  public:
   InlineArray() = default;
   explicit InlineArray(int n) : size_(n) { assert(0 <= n && n <= kCapacity); }
-  InlineArray(int n, const T& value) : InlineArray(n) { values_.fill(value); }
+  InlineArray(int n, const T& value) : size_(n) {
+    assert(0 <= n && n <= kCapacity);
+    std::fill_n(begin(), n, value);
+  }
+  ~InlineArray() = default;
+
+  InlineArray(const InlineArray& other) { *this = other; }
+  InlineArray(InlineArray&& other) noexcept { *this = std::move(other); }
+  InlineArray& operator=(const InlineArray& other) {
+    size_ = other.size_;
+    std::copy_n(other.begin(), size_, begin());
+    return *this;
+  }
+  InlineArray& operator=(InlineArray&& other) noexcept {
+    size_ = other.size_;
+    std::copy_n(std::make_move_iterator(other.begin()), size_, begin());
+    return *this;
+  }
 
   InlineArray& operator=(std::initializer_list<T> values) {
     size_ = static_cast<int>(values.size());

@@ -6,25 +6,35 @@
 namespace hexagait {
 namespace {
 
-// sin(x)/x and (1 − cos x)/x. Below 1e-4 the series are accurate to 1e-17.
-double sinc(double x) { return std::abs(x) < 1e-4 ? 1.0 - x * x / 6.0 : portable::sin(x) / x; }
-double cosc(double x) {
-  const double half = portable::sin(0.5 * x);
-  return std::abs(x) < 1e-4 ? 0.5 * x * (1.0 - x * x / 12.0) : 2.0 * half * half / x;
+// sin(x)/x and (1 − cos x)/x, by the half angle: nothing cancels.
+struct Sincs {
+  double s, c;
+};
+Sincs sincs(double x) {
+  if (x == 0.0) return {1.0, 0.0};
+  const double half = 0.5 * x;
+  const auto [s, c] = portable::sincos(half);
+  return {s / half * c, s / half * s};
 }
 
 }  // namespace
 
 PlanarPose exponential(const PlanarTwist& twist, double s) {
   const double angle = twist.w * s;
-  const double a = s * sinc(angle), b = s * cosc(angle);
-  return {angle, a * twist.v + b * perpendicular(twist.v)};
+  const Sincs sinc = sincs(angle);
+  return {angle, s * (sinc.s * twist.v + sinc.c * perpendicular(twist.v))};
+}
+
+Vector2 carried(const Vector2& p, const PlanarTwist& twist, double s) {
+  const Vector2 v = twist.v + twist.w * perpendicular(p);
+  const Sincs sinc = sincs(twist.w * s);
+  return p + s * (sinc.s * v + sinc.c * perpendicular(v));
 }
 
 PlanarTwist logarithm(const PlanarPose& pose) {
-  const double a = sinc(pose.angle), b = cosc(pose.angle);
-  const double scale = 1.0 / (a * a + b * b);
-  return {scale * (a * pose.shift - b * perpendicular(pose.shift)), pose.angle};
+  const Sincs sinc = sincs(pose.angle);
+  const double scale = 1.0 / (sinc.s * sinc.s + sinc.c * sinc.c);
+  return {scale * (sinc.s * pose.shift - sinc.c * perpendicular(pose.shift)), pose.angle};
 }
 
 }  // namespace hexagait

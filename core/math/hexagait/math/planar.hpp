@@ -37,6 +37,9 @@ struct PlanarPose {
 /// SE(2). Accurate for every w·s, including 0.
 [[nodiscard]] PlanarPose exponential(const PlanarTwist& twist, double s);
 
+/// exponential(twist, s) * p: where a point goes.
+[[nodiscard]] Vector2 carried(const Vector2& p, const PlanarTwist& twist, double s);
+
 /// The twist that reaches `pose` in one second (or metre): the inverse of exponential(·, 1) for
 /// |angle| < π.
 [[nodiscard]] PlanarTwist logarithm(const PlanarPose& pose);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <hexagait/plant/odometry.hpp>
+#include <limits>
 
 namespace hexagait {
 namespace {
@@ -26,6 +27,7 @@ Pose registered(const Pose& X, const LegArray<Vector3>& p_BF, const LegArray<Vec
   Vector3 centroid = Vector3::Zero(), residual = Vector3::Zero();
   LegArray<Vector3> p_OF(p_BF.size());
   for (LegId i = 0; i < p_BF.size(); ++i) {
+    if (load[i] <= 0.0) continue;
     p_OF[i] = X * p_BF[i];
     weight += load[i];
     centroid += load[i] * p_OF[i];
@@ -35,18 +37,29 @@ Pose registered(const Pose& X, const LegArray<Vector3>& p_BF, const LegArray<Vec
   centroid /= weight;
   residual /= weight;
 
-  Matrix3 inertia = kRegularisation * Matrix3::Identity();
+  Vector3 squares = Vector3::Zero(), products = Vector3::Zero();  // xx yy zz, yz zx xy
   Vector3 moment = Vector3::Zero();
   for (LegId i = 0; i < p_BF.size(); ++i) {
-    const Vector3 arm = p_OF[i] - centroid;
-    inertia += load[i] * (arm.squaredNorm() * Matrix3::Identity() - arm * arm.transpose());
-    moment += load[i] * arm.cross(anchor_O[i] - p_OF[i]);
+    if (load[i] <= 0.0) continue;
+    const Vector3 arm = p_OF[i] - centroid, loaded = load[i] * arm;
+    squares += loaded.cwiseProduct(arm);
+    products += Vector3(loaded.y() * arm.z(), loaded.z() * arm.x(), loaded.x() * arm.y());
+    moment += loaded.cross(anchor_O[i] - p_OF[i]);
   }
+  const double sum = squares.sum() + kRegularisation;
+  Matrix3 inertia;
+  inertia << sum - squares.x(), -products.z(), -products.y(),  //
+      -products.z(), sum - squares.y(), -products.x(),         //
+      -products.y(), -products.x(), sum - squares.z();
   const Vector3 turn = inertia.inverse() * moment;
 
   // exp(turn) to second order, then made orthonormal: turn is some 1e-3 rad per tick.
-  const Matrix3 skew = cross_matrix(turn);
-  const Matrix3 R = orthonormalised((Matrix3::Identity() + skew + 0.5 * skew * skew) * X.R);
+  Matrix3 R;
+  for (int k = 0; k < 3; ++k) {
+    const Vector3 v = X.R.col(k);
+    R.col(k) = v + turn.cross(v + 0.5 * turn.cross(v));
+  }
+  R = orthonormalised(R);
   return {R, centroid + residual + R * (X.R.transpose() * (X.p - centroid))};
 }
 
@@ -62,6 +75,26 @@ double change2(const Vector3& now, const Vector3& then) {
   return (now2 - then2) * (now2 - then2) / (4.0 * then2);  // now² − then² ≈ 2 · distance · change
 }
 
+// The k smallest of the values that were added, in order.
+class SmallestChanges {
+ public:
+  void keep(std::size_t k) {
+    k_ = k;
+    std::fill_n(values_.begin(), k, std::numeric_limits<double>::infinity());
+  }
+  void add(double value) {
+    if (!(value < largest())) return;
+    std::size_t at = k_ - 1;
+    for (; at > 0 && value < values_[at - 1]; --at) values_[at] = values_[at - 1];
+    values_[at] = value;
+  }
+  [[nodiscard]] double largest() const { return values_[k_ - 1]; }
+
+ private:
+  std::array<double, kMaxLegs> values_;
+  std::size_t k_ = 1;
+};
+
 // (odometry 3). A foot is judged by the k-th smallest change of its distances to the others, k =
 // m/2 of m feet on the ground, so half of them must agree with it. The smallest change alone proves
 // nothing: legs stand in rows, and a slide across a row changes no distance within the row. Up to
@@ -74,20 +107,19 @@ LegArray<double> without_sliding(const LegArray<double>& footing, const LegArray
     if (footing[i] > 0.0) standing[m++] = i;
   if (m < 2) return footing;
 
-  // Row a: the changes of foot a to the m − 1 others.
-  std::array<std::array<double, kMaxLegs>, kMaxLegs> change;
+  std::array<SmallestChanges, kMaxLegs> change;  // of each foot to the others
+  for (std::size_t a = 0; a < m; ++a) change[a].keep(m / 2);
   for (std::size_t a = 0; a < m; ++a) {
     for (std::size_t b = 0; b < a; ++b) {
       const LegId i = standing[a], j = standing[b];
-      change[a][b] = change[b][a - 1] = change2(p_BF[i] - p_BF[j], anchor_O[i] - anchor_O[j]);
+      const double both = change2(p_BF[i] - p_BF[j], anchor_O[i] - anchor_O[j]);
+      change[a].add(both);
+      change[b].add(both);
     }
   }
   LegArray<double> trust = footing;
   for (std::size_t a = 0; a < m; ++a) {
-    double* const row = change[a].data();
-    double* const judge = row + m / 2 - 1;
-    std::nth_element(row, judge, row + m - 1);
-    const double ratio2 = *judge / tolerance2;
+    const double ratio2 = change[a].largest() / tolerance2;
     trust[standing[a]] /= 1.0 + ratio2 * ratio2;
   }
   return trust;

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
-#include <hexagait/model/kinematics.hpp>
 #include <hexagait/plant/plant_watch.hpp>
 
 namespace hexagait {
@@ -30,10 +29,9 @@ bool valid(const Measurement& measurement, const RobotModel& model) noexcept {
   const int n = model.num_legs();
   if (measurement.q.size() != n || measurement.contact.size() != n) return false;
   bool good = std::isfinite(measurement.time);
-  for (LegId i = 0; i < n; ++i) {
-    const LegJoints q = own_joints(model.legs[i], measurement.q[i]);
-    good = good && (q.array().abs() <= kLargestJointAngle).all();
-  }
+  for (LegId i = 0; i < n; ++i)
+    for (int k = 0; k < model.legs[i].num_joints(); ++k)
+      good = good && std::abs(measurement.q[i][k]) <= kLargestJointAngle;
   return good;
 }
 
