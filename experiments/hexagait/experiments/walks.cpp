@@ -84,9 +84,12 @@ std::vector<Walk> ten_headings(double seconds) {
   return walks;
 }
 
-std::vector<Walk> over_terrain(const std::string& terrain, std::uint64_t count, double metres) {
-  return seeds(terrain, count, [&](std::uint64_t) {
+std::vector<Walk> over_terrain(const std::string& terrain, std::uint64_t count, double metres,
+                               const std::string& plant) {
+  const std::string group = plant == "ideal" ? terrain : terrain + " with the plant " + plant;
+  return seeds(group, count, [&](std::uint64_t) {
     recording::Simulation simulation = flat(Heading::straight(0.0), 90.0);
+    simulation.plant = recording::parse_plant(plant);
     simulation.terrain = sim3d::parse_terrain(terrain);
     simulation.trial.distance = metres;
     return simulation;
@@ -249,17 +252,20 @@ Outcome walks(const ExperimentContext& context, figures::StagedFiles& files) {
       random_commands(brief ? 1 : 5, brief ? 20.0 : 120.0),
       over_terrain("boxes:0.10", brief ? 2 : 20, brief ? 1.0 : 5.0),
       over_terrain("steps:0.10", brief ? 2 : 20, brief ? 1.0 : 5.0),
-      first_walks(brief ? 1 : 20, brief ? 5.0 : 30.0)};
+      first_walks(brief ? 1 : 20, brief ? 5.0 : 30.0),
+      over_terrain("boxes:0.10", brief ? 1 : 20, brief ? 1.0 : 5.0, "real"),
+      over_terrain("boxes:0.10", brief ? 1 : 20, brief ? 1.0 : 5.0, "late_ticks:5%")};
   if (!walk_all(context, groups)) return {};
   files.write("walks.csv", table(groups).text());
 
   std::size_t count = 0;
   for (const auto& group : groups) count += group.size();
-  return {.verdicts = {judge_headings(groups[0], farthest_workspace(*context.robot)),
-                       judge_postures(groups[1]), judge_commands(groups[2]),
-                       judged_in_full_only(judge_terrain(groups[3]), brief),
-                       judged_in_full_only(judge_terrain(groups[4]), brief),
-                       judged_in_full_only(judge_first_walk(groups[5]), brief)},
+  std::vector<Verdict> verdicts = {judge_headings(groups[0], farthest_workspace(*context.robot)),
+                                   judge_postures(groups[1]), judge_commands(groups[2])};
+  for (const std::size_t k : {3U, 4U, 6U, 7U})
+    verdicts.push_back(judged_in_full_only(judge_terrain(groups[k]), brief));
+  verdicts.push_back(judged_in_full_only(judge_first_walk(groups[5]), brief));
+  return {.verdicts = verdicts,
           .settings = {{"robot", context.robot->name}, {"walks", std::to_string(count)}}};
 }
 

@@ -22,8 +22,10 @@ struct JudgedWalk {
 
 /// Straight on over terrain, as far as asked, with a walk for each seed from 1 on.
 /// @param terrain  as on the command line, "boxes:0.10"
+/// @param plant    as on the command line, "real"
 [[nodiscard]] std::vector<JudgedWalk> over_terrain(const std::string& terrain, std::uint64_t count,
-                                                   double metres);
+                                                   double metres,
+                                                   const std::string& plant = "ideal");
 
 /// Walks them, on all cores, and fills in their summaries. Reports progress.
 /// @returns false if it was stopped before the end

@@ -79,7 +79,7 @@ const TickRecord& Walker::step(PlantStatus status, const Measurement& measuremen
                                const heading_control::Heading& heading) noexcept {
   record_.lifts = record_.waits = record_.rule1_violations = LegSet();
   if (!healthy(status, measurement)) return stand_by(measurement), record_;
-  estimate();      // joints and contacts → feet, odometry
+  estimate();      // joints and contacts → feet, odometry, who stands
   steer(heading);  // heading → path of this robot, deviation from it
   decide();        // gait state: which legs may step; stepper: which do
   command();       // footsteps and motion of the base
@@ -133,6 +133,7 @@ void Walker::stand_by(const Measurement& measurement) noexcept {
 
 void Walker::estimate() noexcept {
   estimator_.update(record_.state, record_.measurement, executor_, watch_.elapsed());
+  executor_.sense(record_.state, params_.control_dt);
 }
 
 void Walker::steer(const heading_control::Heading& heading) noexcept {

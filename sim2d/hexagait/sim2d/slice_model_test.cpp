@@ -16,8 +16,8 @@ constexpr const char* kGaits[] = {"free",   "unadjusted", "literal",
                                   "tripod", "wave:0.75",  "wave:0.8333333333333334"};
 constexpr const char* kTerrains[] = {"flat", "descent:3-7", "descent:1-20", "profile:4"};
 
-// It owns nothing, so it can allocate nothing, and a copy continues identically.
-static_assert(std::is_trivially_copyable_v<SliceRobot>);
+// What has nothing to destroy owns nothing, so it can allocate nothing.
+static_assert(std::is_trivially_destructible_v<SliceRobot>);
 
 SliceConfig config(const std::string& gait, const std::string& terrain) {
   return {.gait = gait_state::parse_gait_choice(gait).value(),

@@ -50,7 +50,7 @@ TEST_F(Referee, MeasuresTheSlipOfADraggedFootAsTheArcItDraws) {
   pressing[2] = inverse_kinematics(robot_.legs[2], robot_.legs[2].p_BC - Vector3(0, 0, 0.011)).q;
   move(world, stance(), pressing, 0.2);
   LegArray<LegJoints> turned = pressing;
-  turned[2][0] += 0.5;
+  turned[2] = pressing[2] + 0.5 * LegJoints::Unit(0);
 
   // From when it slides to when it is turned round, by the angle that the joint really makes.
   LegArray<LegJoints> begun = pressing;

@@ -98,7 +98,15 @@ void Executor::interrupt_base() noexcept {
   base_command_ = {};
 }
 
+void Executor::sense(const RobotState& state, double dt) noexcept {
+  for (LegId i = 0; i < legs_.size(); ++i)
+    hexagait::sense(legs_[i], state.contact[i], dt, params_.swing);
+  sensed_ = true;
+}
+
 const JointTargets& Executor::advance(const RobotState& state, double dt) noexcept {
+  if (!sensed_) sense(state, dt);
+  sensed_ = false;
   failed_ = failed_ || !(0.0 < dt && dt < std::numeric_limits<double>::infinity());
   if (!failed_) move(state, dt);
   if (failed_) hold();

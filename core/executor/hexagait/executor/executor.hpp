@@ -71,6 +71,10 @@ class Executor {
   /// Ends the base's plan and brings the base to rest.
   void interrupt_base() noexcept;
 
+  /// Takes note of the contacts. Called before decisions that need to know who stands; otherwise
+  /// advance() does it.
+  void sense(const RobotState& state, double dt) noexcept;
+
   /// One control period: base, legs, joints.
   const JointTargets& advance(const RobotState& state, double dt) noexcept;
 
@@ -137,6 +141,7 @@ class Executor {
   LegArray<LegJoints> last_change_;  ///< of the joint targets in the last tick [rad]
   LegArray<bool> reachable_;
   LagWatch lag_;
+  bool sensed_ = false;    ///< in this tick
   LegArray<Vector3> off_;  ///< from the last set points to the measured feet [m]
   BaseLane base_;
   BaseAutoCommand base_command_;

@@ -93,18 +93,14 @@ void move_down(LegLane& lane, double height, double dt, const SwingParams& param
   move(lane, 2, {(v + 0.5 * change) * dt, v + change, change / dt}, way_O);
 }
 
-void land(LegLane& lane) {
+// Takes load from this tick on.
+void land(LegLane& lane, double dt, const SwingParams& params) {
   enter(lane, LegPhase::support);
   lane.v_O.setZero();
   lane.a_O.setZero();
   lane.without_contact = 0.0;
   lane.confirmed = lane.believed = false;
-}
-
-// Counts how long contact lasts, from its first sample on.
-void feel(LegLane& lane, bool contact, double dt) {
-  lane.with_contact = contact && lane.touching ? lane.with_contact + dt : 0.0;
-  lane.touching = contact;
+  ramp(lane.load, 1.0, dt / params.load_time);
 }
 
 // Moves back and up. The next attempt is higher and, after two, shorter; after the last one the foot
@@ -144,20 +140,13 @@ double rise_time(const LegLane& lane, const SwingParams& params) {
                   kMinimumJerkPeak * (lane.apex_z - lane.p_OL.z()) / lane.max_rise);
 }
 
-void support(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
-             const SwingParams& params) {
-  feel(lane, sensed.contact, dt);
-  lane.without_contact = sensed.contact ? 0.0 : lane.without_contact + dt;
-  lane.believed = lane.believed || elapsed(lane.with_contact, params.touch_time);
+void support(LegLane& lane, double dt, const Pose& X_OB, const SwingParams& params) {
   const bool lost = lane.without_contact > params.lost_time;
   // What touched for an instant only was not the ground: the step goes on.
   if (!lane.believed && lost)
     return enter(lane, params.reflexes ? LegPhase::descend : LegPhase::search);
 
   ramp(lane.load, lost ? 0.0 : 1.0, dt / params.load_time);
-  if (!lane.confirmed)
-    lane.confirmed = lane.touched_down =
-        lane.load >= 1.0 && elapsed(lane.with_contact, params.confirm_time);
   if (lane.without_contact > (lane.confirmed ? params.regain_time : params.lost_time)) {
     begin_step(lane, params.reflexes ? LegPhase::descend : LegPhase::search, X_OB);
     lane.cleared = lane.lost = true;
@@ -185,7 +174,6 @@ Vector3 swing(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_O
       lane.transfer_clock > 0.0 || risen > params.clearance_share * lane.step.profile_height;
   const double up = rise_left(lane, sensed, height);
   lane.cleared = lane.cleared || !sensed.contact;
-  feel(lane, sensed.contact, dt);
 
   Vector3 way_O = Vector3::Zero();
   if (sideways) move_sideways(lane, way, dt, params, way_O);
@@ -211,9 +199,8 @@ Vector3 descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X
   const double height = height_of(lane, X_OB);
   Vector3 way_O = Vector3::Zero();
   lane.cleared = lane.cleared || !sensed.contact;
-  feel(lane, sensed.contact, dt);
   const bool found = sensed.contact && lane.cleared;
-  if (found) return land(lane), way_O;
+  if (found) return land(lane, dt, params), way_O;
   const bool blocked = !sensed.reachable || sensed.tracking_error > params.blocked_error;
   if (blocked && !gives_up(lane, params)) {
     lane.reach_fraction *= 0.6;
@@ -253,9 +240,8 @@ void follow_curve(LegLane& lane, LegPlan& plan, const Pose& X_OB, double dt, dou
 // expected, just below where the search begins, it takes at least six periods.
 Vector3 search(LegLane& lane, const LegSensed& sensed, double dt, const SwingParams& params) {
   lane.cleared = lane.cleared || !sensed.contact;
-  feel(lane, sensed.contact, dt);
   const bool found = lane.cleared || elapsed(lane.with_contact, params.touch_time);
-  if (sensed.contact && found) return land(lane), Vector3::Zero();
+  if (sensed.contact && found) return land(lane, dt, params), Vector3::Zero();
   if (!sensed.reachable || lane.time > params.search_time) {
     lane.exhausted = true;
     return enter(lane, LegPhase::hold), Vector3::Zero();
@@ -291,6 +277,18 @@ Vector3 step_back(LegLane& lane, const LegSensed& sensed, double dt, const Pose&
 
 }  // namespace
 
+void sense(LegLane& lane, bool contact, double dt, const SwingParams& params) noexcept {
+  lane.touched_down = false;
+  lane.with_contact = contact && lane.touching ? lane.with_contact + dt : 0.0;
+  lane.touching = contact;
+  if (lane.phase != LegPhase::support) return;
+  lane.without_contact = contact ? 0.0 : lane.without_contact + dt;
+  lane.believed = lane.believed || elapsed(lane.with_contact, params.touch_time);
+  if (lane.confirmed) return;
+  const bool loaded = lane.load > 1.0 - kTimeTolerance;
+  lane.confirmed = lane.touched_down = loaded && elapsed(lane.with_contact, params.confirm_time);
+}
+
 void command(LegLane& lane, const FootstepCommand& step, const Pose& X_OB) noexcept {
   const bool starts = lane.phase == LegPhase::support;
   lane.step = step;
@@ -312,10 +310,9 @@ void command(LegLane& lane, const LegPlan& plan, const Pose& X_OB) noexcept {
 
 void follow(LegLane& lane, LegPlan& plan, const LegSensed& sensed, const Pose& X_OB, double dt,
             double rate, const SwingParams& params) noexcept {
-  lane.lifted = lane.touched_down = false;
+  lane.lifted = false;
   ramp(lane.load, 0.0, dt / params.unload_time);
   lane.cleared = lane.cleared || !sensed.contact;
-  feel(lane, sensed.contact, dt);
   lane.time = std::min(lane.time + rate * dt, plan.duration);
   if (plan.kind == LegPlan::Kind::foot) follow_curve(lane, plan, X_OB, dt, rate, params);
   if (plan.kind == LegPlan::Kind::keep) lane.v_O.setZero();
@@ -323,7 +320,8 @@ void follow(LegLane& lane, LegPlan& plan, const LegSensed& sensed, const Pose& X
 
   const bool ended = lane.time >= plan.duration;
   const bool coming_down = lane.v_O.dot(lane.normal_O) < 0.0 || lane.time > 0.5 * plan.duration;
-  if (plan.lands && sensed.contact && (ended || (lane.cleared && coming_down))) return land(lane);
+  if (plan.lands && sensed.contact && (ended || (lane.cleared && coming_down)))
+    return land(lane, dt, params);
   if (!ended) return;
   enter(lane, plan.lands ? LegPhase::search : LegPhase::hold);
 }
@@ -345,12 +343,11 @@ void interrupt(LegLane& lane, bool to_stand) noexcept {
 void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt,
              const SwingParams& params) noexcept {
   lane.lifted = lane.phase == LegPhase::unload && lane.time == 0.0;
-  lane.touched_down = false;
   lane.time += dt;
   Vector3 way_O = Vector3::Zero();  // displacement over the ground in this tick
   switch (lane.phase) {
     case LegPhase::support:
-      return support(lane, sensed, dt, X_OB, params);
+      return support(lane, dt, X_OB, params);
     case LegPhase::unload:
       return unload(lane, dt, X_OB, params);
     case LegPhase::lift:

@@ -139,6 +139,11 @@ struct LegSensed {
   Vector3 off = Vector3::Zero();  ///< from the set point to the measured foot, body frame [m]
 };
 
+/// Counts how long contact lasts or is missing, from its first sample on. So a foot counts as
+/// support in the tick in which it has been so for long enough, before anything is decided.
+/// @param dt  control period [s]
+void sense(LegLane& lane, bool contact, double dt, const SwingParams& params) noexcept;
+
 /// Starts a step, or replaces the target of the present one.
 void command(LegLane& lane, const FootstepCommand& step, const Pose& X_OB) noexcept;
 
@@ -158,7 +163,7 @@ void interrupt(LegLane& lane, bool to_stand) noexcept;
 
 /// One tick of any other phase.
 /// @param dt  control period [s]
-/// @pre the set point has already been moved with the ground
+/// @pre sense() has been called for this tick; the set point has been moved with the ground
 void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt,
              const SwingParams& params) noexcept;
 

@@ -26,6 +26,7 @@ struct Step {
   bool contact() const { return (lane.p_BF.z() <= 0.0) != lies; }
   void tick() {
     measured = lane.p_BF;
+    sense(lane, contact(), dt, params);
     advance(lane, {.contact = contact()}, {}, dt, params);
     t += dt;
   }
@@ -116,6 +117,7 @@ TEST(Retreat, HasAnEnd) {
     const Vector3 foot(std::clamp(step.lane.p_BF.x(), -0.02, 0.02), 0.0, step.lane.p_BF.z());
     const Vector3 off = foot - step.lane.p_BF;
     const bool contact = step.lane.p_BF.z() <= 0.0;
+    sense(step.lane, contact, step.dt, step.params);
     advance(step.lane, {.contact = contact, .tracking_error = off.norm(), .off = off}, {}, step.dt,
             step.params);
     step.t += step.dt;
@@ -134,6 +136,7 @@ TEST(Retreat, LowersAnApexThatTheLegCannotReach) {
   command(step.lane, {0, {0.3, 0.0, 0.0}, 0.5}, {});
   bool reachable = true;
   while (!step.ended() && step.t < 5.0) {
+    sense(step.lane, step.contact(), step.dt, step.params);
     advance(step.lane, {.contact = step.contact(), .reachable = reachable}, {}, step.dt,
             step.params);
     step.t += step.dt;

@@ -33,6 +33,7 @@ struct Step {
     const Vector3 v = lane.v_O;
     if (lane.phase != LegPhase::descend || lane.p_BF.z() > params.commit_height)
       committed = lane.p_BF;
+    sense(lane, contact, dt, params);
     advance(lane, {.contact = contact}, {}, dt, params);
     t += dt;
     contact = lane.p_BF.z() <= kGround;
@@ -129,6 +130,7 @@ TEST(SwingPeriod, NeedsMoreThanOneInstantToConfirmAFoothold) {
     lane.confirmed = false;
     int ticks = 0;
     while (!lane.supports(params) && ticks < 100) {
+      sense(lane, true, dt, params);
       advance(lane, {.contact = true}, {}, dt, params);
       ++ticks;
     }
@@ -149,7 +151,9 @@ TEST(SwingPeriod, SearchesAtTheSameSpeed) {
     double t = 0.0;
     while (lane.phase == LegPhase::search && t < 2.0) {
       const Vector3 v = lane.v_O;
-      advance(lane, {.contact = lane.p_BF.z() < -0.05}, {}, dt, params);
+      const bool contact = lane.p_BF.z() < -0.05;
+      sense(lane, contact, dt, params);
+      advance(lane, {.contact = contact}, {}, dt, params);
       if (lane.phase != LegPhase::search) break;
       t += dt;
       ASSERT_LE((lane.v_O - v).norm(), params.vertical_acceleration * dt * (1.0 + 1e-9));

@@ -48,6 +48,7 @@ const ActionRecord& ActionRunner::tick(PlantStatus status,
   if (watch_.accepts(status, measurement, *model_, dt, params_.late_limit)) {
     record_.measurement = measurement;
     estimator_.update(record_.state, measurement, executor_, watch_.elapsed());
+    executor_.sense(record_.state, dt);
     sequencer_.update(executor_, record_.state, frames_, dt);
     executor_.advance(record_.state, dt);
     if (executor_.failed()) watch_.stop(Fault::bad_command);

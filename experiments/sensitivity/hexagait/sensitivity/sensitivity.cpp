@@ -132,6 +132,27 @@ Verdict judge_real(const PlantCost& real) {
                       at_most(1.0)}}};
 }
 
+// What each imperfection may cost at a size that robots have.
+Verdict judge_goals(const std::vector<PlantCost>& all) {
+  const Cost& ideal = cost_of("ideal", all).flat;
+  const auto off = [&](const char* plant, const char* where, const Cost& cost, double most) {
+    return Check{{fmt::format("mean distance from the path with {}, {}", plant, where), "cm",
+                  100.0 * cost.off_path},
+                 at_most(most)};
+  };
+  const auto speed = [&](const char* plant, double least) {
+    return Check{{fmt::format("share of the ideal plant's speed with {}, flat", plant), "%",
+                  100.0 * cost_of(plant, all).flat.speed / ideal.speed},
+                 at_least(least)};
+  };
+  const PlantCost& noisy = cost_of("joint_noise:2mrad", all);
+  return {.claim = "Noise, false contacts, lag and servos without velocities cost little",
+          .checks = {off("joint_noise:2mrad", "flat", noisy.flat, 2.0),
+                     off("joint_noise:2mrad", kBoxes, noisy.boxes, 4.0),
+                     speed("false_contacts:0.1%", 95.0), speed("servo_lag:40ms", 80.0),
+                     speed("servo:position_only", 80.0)}};
+}
+
 figures::Csv table(const std::vector<PlantCost>& all) {
   figures::Csv table(
       "plant,terrain,arrived,trials,arrived_lower,arrived_upper,speed_m_s,off_path_m,"
@@ -165,7 +186,10 @@ Outcome sensitivity(const ExperimentContext& context, figures::StagedFiles& file
   files.write("sensitivity.md", page(head, ladders, all));
   const figures::Csv numbers = table(all);
   files.write("sensitivity.csv", numbers.text());
-  return {.verdicts = {judged_in_full_only(judge_real(cost_of("real", all)), context.short_form)},
+  std::vector<Verdict> verdicts = {
+      judged_in_full_only(judge_real(cost_of("real", all)), context.short_form)};
+  if (!context.short_form) verdicts.push_back(judge_goals(all));  // a short one has not all plants
+  return {.verdicts = verdicts,
           .settings = {{"robot", context.robot->name},
                        {"plants", std::to_string(all.size())},
                        {"walks",
