@@ -150,10 +150,12 @@ void Walker::steer(const heading_control::Heading& heading) noexcept {
 
 void Walker::decide() noexcept {
   record_.gait_input = gait_input(*model_, record_.arc, executor_, params_.step);
-  const gait_state::StepDecision decision = gait_state::decide(
-      memory_, record_.gait_input,
-      {.time = time(), .rear_edge = record_.rear_edge, .walking = record_.heading.moving()},
-      params_.gait, params_.stepper);
+  const gait_state::StepDecision decision = gait_state::decide(memory_, record_.gait_input,
+                                                               {.time = time(),
+                                                                .rear_edge = record_.rear_edge,
+                                                                .walking = record_.heading.moving(),
+                                                                .unsure = executor_.unsure()},
+                                                               params_.gait, params_.stepper);
   record_.gait = decision.gait;
   record_.lifts = decision.lifts;
   record_.waits = decision.waits;

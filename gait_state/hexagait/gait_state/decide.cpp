@@ -4,17 +4,28 @@
 #include <hexagait/gait_state/ring.hpp>
 
 namespace hexagait::gait_state {
+namespace {
+
+// Those beside which everybody surely stands. A tripod lifts as a whole, or not at all.
+LegSet beside_sure_legs(LegSet may_step, LegSet unsure, Stepping stepping, int n) {
+  if (unsure.empty()) return may_step;
+  if (stepping == Stepping::tripod) return {};
+  return without(may_step, neighbours_of(unsure, n));
+}
+
+}  // namespace
 
 StepDecision decide(GaitMemory& memory, const GaitInput& legs, const StepConditions& conditions,
                     const GaitParams& gait, const StepperParams& stepper) noexcept {
   StepDecision result;
   result.gait = memory.latch.update(legs, gait);
   const LegSet may_step = conditions.walking ? result.gait.may_step : LegSet();
-  result.lifts = memory.stepper.update({.time = conditions.time,
-                                        .airborne = legs.airborne,
-                                        .may_step = may_step,
-                                        .rear_edge = conditions.rear_edge},
-                                       stepper);
+  result.lifts = memory.stepper.update(
+      {.time = conditions.time,
+       .airborne = legs.airborne,
+       .may_step = beside_sure_legs(may_step, conditions.unsure, stepper.stepping, legs.lag.size()),
+       .rear_edge = conditions.rear_edge},
+      stepper);
   result.waits = without(may_step, result.lifts);
   result.rule1_violations = rule_1_violations(result.lifts, legs.airborne, legs.lag.size());
   return result;

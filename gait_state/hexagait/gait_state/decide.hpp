@@ -14,12 +14,16 @@ struct StepConditions {
   double time = 0.0;    ///< see StepperInput
   int rear_edge = -1;   ///< see StepperInput
   bool walking = true;  ///< false: no leg lifts, steps under way still end
+
+  /// Legs that count as standing and feel nothing at this moment: after a bounce, or on an edge. No
+  /// neighbour of theirs lifts until they feel the ground again, or count as off it.
+  LegSet unsure = {};
 };
 
 struct StepDecision {
   GaitDecision gait;
   LegSet lifts;             ///< legs that lift now
-  LegSet waits;             ///< legs that may lift and are held back by the stepper
+  LegSet waits;             ///< legs that may lift and are held back, by the stepper or a neighbour
   LegSet rule1_violations;  ///< legs that lift with a neighbour that lifts or is off the ground
 };
 

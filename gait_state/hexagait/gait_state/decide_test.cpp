@@ -45,6 +45,22 @@ TEST(Decide, LiftsNobodyOfARobotThatIsToStand) {
   EXPECT_TRUE((decision.lifts | decision.waits).empty());
 }
 
+// Of all 64 sets of legs that feel nothing: their neighbours wait, the others lift as they would.
+TEST(Decide, LiftsNobodyBesideALegThatFeelsNothing) {
+  for (const Stepping stepping : {Stepping::free, Stepping::tripod})
+    for (std::uint32_t bits = 0; bits < 64; ++bits) {
+      const LegSet unsure(bits);
+      GaitMemory memory(kLegs, 1.0);
+      const StepDecision decision =
+          decide(memory, standing(), {.unsure = unsure}, {}, {.stepping = stepping});
+      const LegSet tripod = first_tripod(kLegs);
+      LegSet lifts = without(tripod, neighbours_of(unsure, kLegs));
+      if (stepping == Stepping::tripod && !unsure.empty()) lifts = {};
+      ASSERT_EQ(decision.lifts, lifts) << bits;
+      ASSERT_EQ(decision.waits, without(tripod, lifts)) << bits;
+    }
+}
+
 // The neighbours of leg 0 (LF) are 1 (RF) and 2 (LM); decide() itself never breaks the rule.
 TEST(RuleOne, IsBrokenByLegsThatLiftTogetherAndBesideALegInTheAir) {
   const LegSet lf(1U), rf(2U), lm(4U);

@@ -229,13 +229,14 @@ void Executor::move_legs(const RobotState& state, double dt) noexcept {
       follow(legs_[i], plans_[i], sensed, state.X_OB, dt, rate_, params_.swing);
     else
       hexagait::advance(legs_[i], sensed, state.X_OB, dt, params_.swing);
-    const bool came_down = before == LegPhase::follow || before == LegPhase::search;
+    const bool came_down = before == LegPhase::follow || before == LegPhase::search ||
+                           before == LegPhase::descend;
     if (came_down && legs_[i].phase == LegPhase::support) stand_where_it_is(i, state);
   }
 }
 
-// Contact is known up to a period after it was made, and until then the set point of a scripted foot
-// goes on into the ground: by 0.2 m/s · 2 · 20 ms = 8 mm, which would lift other feet. Along the
+// Contact is known up to a period after it was made, and until then the set point of a foot goes
+// on into the ground: by 0.2 m/s · 2 · 20 ms = 8 mm, which would lift other feet. Along the
 // normal the foot stands where it is measured.
 void Executor::stand_where_it_is(LegId leg, const RobotState& state) noexcept {
   const Vector3 normal_B = state.X_OB.R.transpose() * legs_[leg].normal_O;
@@ -260,6 +261,13 @@ LegSet Executor::support() const noexcept {
   LegSet support;
   for (LegId i = 0; i < legs_.size(); ++i) support.set(i, legs_[i].supports(params_.swing));
   return support;
+}
+
+LegSet Executor::unsure() const noexcept {
+  LegSet unsure;
+  for (LegId i = 0; i < legs_.size(); ++i)
+    unsure.set(i, legs_[i].supports(params_.swing) && legs_[i].without_contact > 0.0);
+  return unsure;
 }
 
 LegArray<double> Executor::footing() const noexcept {

@@ -110,6 +110,8 @@ class Executor {
 
   /// Legs that count as standing.
   [[nodiscard]] LegSet support() const noexcept;
+  /// Those of them that feel nothing at this moment.
+  [[nodiscard]] LegSet unsure() const noexcept;
   /// Weight of each foot in odometry, 0 … 1: the fraction of its load that it carries.
   [[nodiscard]] LegArray<double> footing() const noexcept;
   [[nodiscard]] PoseAdaptationInput pose_adaptation_input(const RobotState& state) const noexcept;
