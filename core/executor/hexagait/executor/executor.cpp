@@ -229,8 +229,8 @@ void Executor::move_legs(const RobotState& state, double dt) noexcept {
       follow(legs_[i], plans_[i], sensed, state.X_OB, dt, rate_, params_.swing);
     else
       hexagait::advance(legs_[i], sensed, state.X_OB, dt, params_.swing);
-    const bool came_down = before == LegPhase::follow || before == LegPhase::search ||
-                           before == LegPhase::descend;
+    const bool came_down =
+        before == LegPhase::follow || before == LegPhase::search || before == LegPhase::descend;
     if (came_down && legs_[i].phase == LegPhase::support) stand_where_it_is(i, state);
   }
 }
