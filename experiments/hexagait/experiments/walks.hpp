@@ -59,6 +59,9 @@ struct JudgedWalk {
 /// Straight on over rough ground, as far as asked.
 [[nodiscard]] Verdict judge_terrain(std::span<const JudgedWalk> walks);
 
+/// The same with a plant that is not ideal: no fall, and where it ends.
+[[nodiscard]] Verdict judge_plant(std::span<const JudgedWalk> walks);
+
 /// The walk of `./run`, an arc over boxes, of several seeds.
 [[nodiscard]] Verdict judge_first_walk(std::span<const JudgedWalk> walks);
 

@@ -95,22 +95,33 @@ TEST(JudgeTerrain, WantsAllToArriveNearThePath) {
   EXPECT_EQ(bench.word([](auto& s) { s.lateral_mean = 0.2; }), "FAILS");
 }
 
-TEST(JudgeFirstWalk, WantsThePathNoFlightAndFeetThatStay) {
+TEST(JudgePlant, WantsAllToArriveWithoutAFall) {
+  const Bench bench{judge_plant};
+  bench.holds_unless_it_falls_or_stops();
+  EXPECT_EQ(bench.word([](auto& s) { s.arrived = false; }), "FAILS");
+}
+
+// Flights and lost contacts are expected as many as they are: neither more nor less goes unnoticed.
+TEST(JudgeFirstWalk, WantsThePathAndAccountsForFlightsAndLosses) {
   const auto word = [](auto change) {
     std::vector<JudgedWalk> walks(3, well_walked("first walk"));
     for (JudgedWalk& walk : walks) {
       walk.summary.steps = 50;
+      walk.summary.neighbour_flight = 0.7;
+      walk.summary.real_contact_losses = 6;
       change(walk.summary);
     }
     return judge_first_walk(walks).word();
   };
-  EXPECT_EQ(word([](auto&) {}), "holds");
+  EXPECT_EQ(word([](auto&) {}), "as expected, does not hold");
   EXPECT_EQ(word([](auto& s) { s.fell = true; }), "FAILS");
   EXPECT_EQ(word([](auto& s) { s.stuck = true; }), "FAILS");
   EXPECT_EQ(word([](auto& s) { s.lateral_mean = 0.031; }), "FAILS");
-  EXPECT_EQ(word([](auto& s) { s.neighbour_flight = 0.11; }), "FAILS");
-  EXPECT_EQ(word([](auto& s) { s.real_contact_losses = 6; }), "FAILS");
-  EXPECT_EQ(word([](auto& s) { s.contact_losses = 40; }), "holds") << "bounces";
+  EXPECT_EQ(word([](auto& s) { s.neighbour_flight = 1.6; }), "FAILS");
+  EXPECT_EQ(word([](auto& s) { s.neighbour_flight = 0.05; }), "FAILS") << "unexpectedly";
+  EXPECT_EQ(word([](auto& s) { s.real_contact_losses = 11; }), "FAILS");
+  EXPECT_EQ(word([](auto& s) { s.contact_losses = 40; }), "as expected, does not hold")
+      << "bounces";
 }
 
 }  // namespace
