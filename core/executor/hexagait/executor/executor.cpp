@@ -235,9 +235,9 @@ void Executor::move_legs(const RobotState& state, double dt) noexcept {
   }
 }
 
-// Contact is known up to a period after it was made, and until then the set point of a scripted foot
-// goes on into the ground: by 0.2 m/s · 2 · 20 ms = 8 mm, which would lift other feet. Along the
-// normal the foot stands where it is measured.
+// Contact is known up to a period after it was made, and until then the set point of a foot goes on
+// into the ground: by 0.2 m/s · 2 · 20 ms = 8 mm, which would lift other feet. Along the normal the
+// foot stands where it is measured.
 void Executor::stand_where_it_is(LegId leg, const RobotState& state) noexcept {
   const Vector3 normal_B = state.X_OB.R.transpose() * legs_[leg].normal_O;
   const double above = normal_B.dot(state.p_BF[leg] - legs_[leg].p_BF);
