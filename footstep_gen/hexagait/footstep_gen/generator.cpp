@@ -92,7 +92,8 @@ Vector2 back_over_the_feet(const Stance& stance, const Matrix3& R_OB) {
 }
 
 // A correction must not take a centre of mass that is at an edge farther out.
-Vector2 kept_inside(Vector2 correction, const Stance& stance, const Matrix3& R_OB, double margin) {
+Vector2 kept_inside(const Vector2& correction, const Stance& stance, const Matrix3& R_OB,
+                    double margin) {
   Vector2 way = R_OB.topLeftCorner<2, 2>() * correction;
   for (int k = 0; k < stance.polygon.size && stance.polygon.size > 2; ++k) {
     const Edge edge = edge_of(stance, k);

@@ -72,6 +72,7 @@ class SweepReader {
  private:
   bool read_engine() {
     std::vector<std::string> names;
+    names.reserve(std::size(kEngines));
     for (const Engine engine : kEngines) names.emplace_back(to_string(engine));
     const auto field = yaml_.require(fields_, "simulator");
     const auto index = field ? yaml_.word(*field, names) : std::nullopt;

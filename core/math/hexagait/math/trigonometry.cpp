@@ -117,6 +117,7 @@ double atan2(double y, double x) noexcept {
   // The angle of the shorter leg over the longer one, in [0, π/4].
   const bool steep = ay > ax, back = std::signbit(x);
   const double large = steep ? ay : ax, small = steep ? ax : ay;
+  // NOLINTNEXTLINE(bugprone-incorrect-roundings): at a tie either neighbour will do.
   const int k = static_cast<int>(8.0 * (small / large) + 0.5);
   const double c = 0.125 * k;
   const double u = (small - c * large) / (large + c * small);
