@@ -7,21 +7,14 @@
 /// The same walks at other control periods, and the verdicts on them.
 namespace hexagait::experiments {
 
-/// The walks at one control period.
-struct RatedWalks {
-  double control_dt = 0.002;         ///< [s]
-  std::vector<JudgedWalk> headings;  ///< on flat ground
-  std::vector<JudgedWalk> terrain;   ///< over rough ground; may be empty
-};
-
 /// Constant headings on flat ground at one control period, as good as at the reference.
 /// @param reference  the same headings, in the same order
 /// @param reach      of the farthest workspace centre from the base [m]
-[[nodiscard]] Verdict judge_rate(const RatedWalks& walks, std::span<const JudgedWalk> reference,
-                                 double reach);
+[[nodiscard]] Verdict judge_rate(std::span<const JudgedWalk> headings,
+                                 std::span<const JudgedWalk> reference, double reach);
 
 /// Rough ground at one control period.
 /// @param least_arrived  walks that must arrive
-[[nodiscard]] Verdict judge_rate_on_terrain(const RatedWalks& walks, int least_arrived);
+[[nodiscard]] Verdict judge_rate_on_terrain(std::span<const JudgedWalk> walks, int least_arrived);
 
 }  // namespace hexagait::experiments

@@ -9,9 +9,10 @@ namespace {
 
 constexpr double kReach = 0.6;  // [m]
 
-std::vector<JudgedWalk> good_walks() {
+std::vector<JudgedWalk> good_walks(double control_dt = 0.002) {
   JudgedWalk walk{.group = "heading", .name = "", .simulation = {}, .max_lateral = 0.005};
   walk.simulation.trial.distance = 5.0;
+  walk.simulation.control_dt = control_dt;
   walk.summary.seconds = 40.0;
   walk.summary.speed = 0.23;
   walk.summary.lateral_mean = 0.001;
@@ -20,8 +21,8 @@ std::vector<JudgedWalk> good_walks() {
 }
 
 std::string word_on_flat(double control_dt, auto change) {
-  RatedWalks walks{control_dt, good_walks(), {}};
-  change(walks.headings[7].summary);
+  std::vector<JudgedWalk> walks = good_walks(control_dt);
+  change(walks[7].summary);
   return judge_rate(walks, good_walks(), kReach).word();
 }
 
@@ -40,20 +41,20 @@ TEST(JudgeRate, AllowsACentimetreOnlyAboveTenMilliseconds) {
 }
 
 TEST(JudgeRate, TakesASpinByItsOutermostFoot) {
-  std::vector<JudgedWalk> spins = good_walks();
+  std::vector<JudgedWalk> spins = good_walks(0.005);
   for (JudgedWalk& walk : spins) {
     walk.summary.speed = 0.0;
     walk.summary.turned = -12.0;
   }
-  EXPECT_EQ(judge_rate({0.005, spins, {}}, spins, kReach).word(), "holds");
+  EXPECT_EQ(judge_rate(spins, spins, kReach).word(), "holds");
   const std::vector<JudgedWalk> reference = spins;
   spins[3].summary.turned = -11.0;
-  EXPECT_EQ(judge_rate({0.005, spins, {}}, reference, kReach).word(), "FAILS");
+  EXPECT_EQ(judge_rate(spins, reference, kReach).word(), "FAILS");
 }
 
 TEST(JudgeRateOnTerrain, CountsWhoArrives) {
-  RatedWalks walks{0.020, {}, good_walks()};
-  walks.terrain[3].summary.arrived = false;
+  std::vector<JudgedWalk> walks = good_walks(0.020);
+  walks[3].summary.arrived = false;
   EXPECT_EQ(judge_rate_on_terrain(walks, 19).word(), "holds");
   EXPECT_EQ(judge_rate_on_terrain(walks, 20).word(), "FAILS");
 }

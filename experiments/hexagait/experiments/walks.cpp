@@ -56,10 +56,18 @@ std::vector<Walk> random_commands(std::uint64_t count, double seconds) {
   });
 }
 
+// What ./run walks, with other seeds.
+std::vector<Walk> first_walks(std::uint64_t count, double seconds) {
+  return seeds("first walk", count, [=](std::uint64_t) {
+    recording::Simulation simulation = flat(Heading::arc(3.0, 0.0), seconds);
+    simulation.terrain = sim3d::parse_terrain("boxes:0.10");
+    return simulation;
+  });
+}
+
 constexpr const char* kNoReflexes =
-    "a foot that slides off an edge is only put down again, and standing feet that the touchdown "
-    "of "
-    "another one shakes loose are not waited for";
+    "a foot that slides off an edge is only put down again, and standing feet that the "
+    "touchdown of another one shakes loose are not waited for";
 
 // Walked for as long as asked.
 Check to_the_end(std::span<const Walk> walks) {
@@ -110,15 +118,6 @@ std::vector<walk::Summary> summaries(std::span<const Walk> walks) {
 Check none_stuck(std::span<const Walk> walks) {
   return {{"walks that got stuck", share_of(walks, [](const Walk& w) { return w.summary.stuck; })},
           exactly(0.0)};
-}
-
-// What ./run walks, with other seeds.
-std::vector<Walk> first_walks(std::uint64_t count, double seconds) {
-  return seeds("first walk", count, [=](std::uint64_t) {
-    recording::Simulation simulation = flat(Heading::arc(3.0, 0.0), seconds);
-    simulation.terrain = sim3d::parse_terrain("boxes:0.10");
-    return simulation;
-  });
 }
 
 figures::Csv table(std::span<const std::vector<Walk>> groups) {

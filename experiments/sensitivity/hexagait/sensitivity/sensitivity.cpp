@@ -114,7 +114,7 @@ std::vector<Cost> walk(const ExperimentContext& context, const sweep::Sweep& swe
                             context.progress(before + share * static_cast<double>(finished) /
                                                           static_cast<double>(whole));
                         }});
-  if (context.stop != nullptr && context.stop->load()) return {};
+  if (context.stopped()) return {};
   if (!outcome.complete() || outcome.without_result > 0)
     throw std::runtime_error(fmt::format("{} of {} walks have no result",
                                          outcome.trials - outcome.finished + outcome.without_result,
