@@ -8,6 +8,7 @@
 #include <testing/counted_allocations.hpp>
 #include <testing/scripted_robot.hpp>
 #include <type_traits>
+#include <vector>
 
 // What the executor does with what it can't execute.
 
@@ -60,49 +61,53 @@ LegPlan plan_to(const Vector3& p, bool in_body) {
   return plan;
 }
 
+using Poison = std::function<void(Stance&, double)>;
+
 // Commands that no step was planned from, with a number that is none or of which the square is.
+std::vector<Poison> poisons() {
+  return {[](Stance& s, double bad) {
+            s.executor.command(FootstepCommand{.leg = 1, .p_OT = {bad, 0.0, 0.0}}, s.state);
+          },
+          [](Stance& s, double bad) {
+            s.executor.command(FootstepCommand{.leg = 4, .profile_height = bad}, s.state);
+          },
+          [](Stance& s, double bad) {
+            BaseAutoCommand base;
+            base.path.v.x() = bad;
+            base.adaptation = [](const BaseAutoCommand&, const PoseAdaptationInput&) {
+              return BaseGoal{.advance = 0.1};
+            };
+            s.executor.command(base);
+          },
+          [](Stance& s, double) {
+            BaseAutoCommand base;
+            base.adaptation = [](const BaseAutoCommand&, const PoseAdaptationInput&) {
+              return BaseGoal{.roll = kNaN};
+            };
+            s.executor.command(base);
+          },
+          [](Stance& s, double bad) {
+            s.executor.command(2, plan_to({0.0, bad, 0.0}, true), s.state);
+          },
+          [](Stance& s, double bad) {
+            s.executor.command(2, plan_to({0.0, bad, 0.0}, false), s.state);
+          },
+          [](Stance& s, double bad) {
+            LegPlan push = plan_to(s.state.p_BF[3], true);
+            push.force_O.z() = bad;
+            s.executor.command(3, push, s.state);
+          },
+          [](Stance& s, double) {
+            const BaseKnot knot{0.1, {Matrix3::Constant(kNaN), Vector3::Zero()}};
+            BasePlan plan;
+            plan.curve.plan({}, {&knot, 1});
+            s.executor.command(plan);
+          }};
+}
+
 TEST(ExecutorGuard, HoldsTheLastGoodTargetsUntilTheReset) {
-  using Poison = std::function<void(Stance&, double)>;
-  const Poison poisons[] = {
-      [](Stance& s, double bad) {
-        s.executor.command(FootstepCommand{.leg = 1, .p_OT = {bad, 0.0, 0.0}}, s.state);
-      },
-      [](Stance& s, double bad) {
-        s.executor.command(FootstepCommand{.leg = 4, .profile_height = bad}, s.state);
-      },
-      [](Stance& s, double bad) {
-        BaseAutoCommand base;
-        base.path.v.x() = bad;
-        base.adaptation = [](const BaseAutoCommand&, const PoseAdaptationInput&) {
-          return BaseGoal{.advance = 0.1};
-        };
-        s.executor.command(base);
-      },
-      [](Stance& s, double) {
-        BaseAutoCommand base;
-        base.adaptation = [](const BaseAutoCommand&, const PoseAdaptationInput&) {
-          return BaseGoal{.roll = kNaN};
-        };
-        s.executor.command(base);
-      },
-      [](Stance& s, double bad) {
-        s.executor.command(2, plan_to({0.0, bad, 0.0}, true), s.state);
-      },
-      [](Stance& s, double bad) {
-        s.executor.command(2, plan_to({0.0, bad, 0.0}, false), s.state);
-      },
-      [](Stance& s, double bad) {
-        LegPlan push = plan_to(s.state.p_BF[3], true);
-        push.force_O.z() = bad;
-        s.executor.command(3, push, s.state);
-      },
-      [](Stance& s, double) {
-        const BaseKnot knot{0.1, {Matrix3::Constant(kNaN), Vector3::Zero()}};
-        BasePlan plan;
-        plan.curve.plan({}, {&knot, 1});
-        s.executor.command(plan);
-      }};
-  for (const Poison& poison : poisons) {
+  const std::vector<Poison> all = poisons();
+  for (const Poison& poison : all) {
     for (const double bad : {kNaN, 1e300}) {
       Stance stance;
       stance.tick();
@@ -112,7 +117,7 @@ TEST(ExecutorGuard, HoldsTheLastGoodTargetsUntilTheReset) {
       JointTargets before = start;
       for (int k = 0; k < 400; ++k) {
         const JointTargets& targets = stance.tick();
-        ASSERT_TRUE(finite(targets)) << &poison - poisons << " " << bad << " " << k;
+        ASSERT_TRUE(finite(targets)) << &poison - all.data() << " " << bad << " " << k;
         if (failed) {
           for (LegId i = 0; i < 6; ++i) ASSERT_EQ(targets.q[i], before.q[i]);
           for (LegId i = 0; i < 6; ++i) ASSERT_EQ(targets.qd[i].norm(), 0.0);
@@ -120,7 +125,7 @@ TEST(ExecutorGuard, HoldsTheLastGoodTargetsUntilTheReset) {
         failed = stance.executor.failed();
         before = targets;
       }
-      EXPECT_TRUE(failed || bad == 1e300) << &poison - poisons << ": not noticed";
+      EXPECT_TRUE(failed || bad == 1e300) << &poison - all.data() << ": not noticed";
       stance.executor.reset(stance.state);
       EXPECT_FALSE(stance.executor.failed());
       EXPECT_TRUE(finite(stance.tick()));
