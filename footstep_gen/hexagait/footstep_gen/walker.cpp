@@ -7,7 +7,6 @@
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/math/trigonometry.hpp>
 #include <limits>
-#include <utility>
 
 namespace hexagait::footstep_gen {
 namespace {
@@ -17,27 +16,21 @@ void check_stepping(Violations& violations, const gait_state::StepperParams& ste
           stepper.duty_factor >= 0.5 && stepper.duty_factor < 1.0, "at least 0.5 and less than 1");
 }
 
-void check_step(Violations& violations, const StepParams& p) {
-  const std::pair<const char*, double> not_negative[] = {
-      {"stroke [m]", p.stroke},
-      {"height [m]", p.height},
-      {"roughness_gain", p.roughness_gain},
-      {"max_height [m]", p.max_height},
-      {"urgent_share", p.urgent_share},
-      {"stability_margin [m]", p.stability_margin},
-  };
-  for (const auto& [name, value] : not_negative)
-    require(violations, name, value, std::isfinite(value) && value >= 0.0, "0 or greater");
-}
-
 WalkerParams checked(const WalkerParams& params) {
   Violations violations("walker");
   check_controller(violations, params.control_dt, params.late_limit, params.executor);
   check_stepping(violations, params.stepper);
-  check_step(violations, params.step);
-  require(violations, "tie_tolerance [m]", params.gait.tie_tolerance,
-          std::isfinite(params.gait.tie_tolerance) && params.gait.tie_tolerance >= 0.0,
-          "0 or greater");
+  const StepParams& step = params.step;
+  const NamedNumber not_negative[] = {
+      {"stroke [m]", step.stroke},
+      {"height [m]", step.height},
+      {"roughness_gain", step.roughness_gain},
+      {"max_height [m]", step.max_height},
+      {"urgent_share", step.urgent_share},
+      {"stability_margin [m]", step.stability_margin},
+      {"tie_tolerance [m]", params.gait.tie_tolerance},
+  };
+  require_not_negative(violations, not_negative);
   violations.throw_if_any();
   return params;
 }
@@ -118,8 +111,7 @@ bool Walker::healthy(PlantStatus status, const Measurement& measurement) noexcep
 
 // A tick in which nothing is decided.
 void Walker::stand_by(const Measurement& measurement) noexcept {
-  const Fault fault = watch_.fault();
-  if (fault == Fault::none || fault == Fault::plant_late) {
+  if (watch_.silent()) {
     executor_.coast(record_.state, params_.control_dt);
     ++ticks_;
   } else {
@@ -128,7 +120,8 @@ void Walker::stand_by(const Measurement& measurement) noexcept {
   record_.targets = executor_.targets();
   record_.base = executor_.base();
   record_.legs = executor_.legs();
-  if (fault == Fault::not_started && valid(measurement, *model_)) record_.targets.q = measurement.q;
+  if (watch_.fault() == Fault::not_started && valid(measurement, *model_))
+    record_.targets.q = measurement.q;
 }
 
 void Walker::estimate() noexcept {
@@ -150,12 +143,12 @@ void Walker::steer(const heading_control::Heading& heading) noexcept {
 
 void Walker::decide() noexcept {
   record_.gait_input = gait_input(*model_, record_.arc, executor_, params_.step);
-  const gait_state::StepDecision decision = gait_state::decide(memory_, record_.gait_input,
-                                                               {.time = time(),
-                                                                .rear_edge = record_.rear_edge,
-                                                                .walking = record_.heading.moving(),
-                                                                .unsure = executor_.unsure()},
-                                                               params_.gait, params_.stepper);
+  const gait_state::StepConditions conditions{.time = time(),
+                                              .rear_edge = record_.rear_edge,
+                                              .walking = record_.heading.moving(),
+                                              .unsure = executor_.unsure()};
+  const gait_state::StepDecision decision =
+      gait_state::decide(memory_, record_.gait_input, conditions, params_.gait, params_.stepper);
   record_.gait = decision.gait;
   record_.lifts = decision.lifts;
   record_.waits = decision.waits;

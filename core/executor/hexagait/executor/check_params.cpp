@@ -3,16 +3,12 @@
 #include <cmath>
 #include <hexagait/executor/check_params.hpp>
 #include <hexagait/plant/control_period.hpp>
-#include <string>
-#include <utility>
 
 namespace hexagait {
 namespace {
 
-using Named = std::pair<const char*, double>;
-
 void check_swing(Violations& violations, const SwingParams& p) {
-  const Named positive[] = {
+  const NamedNumber positive[] = {
       {"unload_time [s]", p.unload_time},
       {"load_time [s]", p.load_time},
       {"lift_time [s]", p.lift_time},
@@ -26,7 +22,7 @@ void check_swing(Violations& violations, const SwingParams& p) {
       {"blocked_error [m]", p.blocked_error},
       {"search_time [s]", p.search_time},
   };
-  const Named not_negative[] = {
+  const NamedNumber not_negative[] = {
       {"clearance_share", p.clearance_share},
       {"overlap_time [s]", p.overlap_time},
       {"touchdown_margin [m]", p.touchdown_margin},
@@ -39,16 +35,14 @@ void check_swing(Violations& violations, const SwingParams& p) {
       {"regain_time [s]", p.regain_time},
       {"follow_rate [1/s]", p.follow_rate},
   };
-  for (const auto& [name, value] : positive)
-    require(violations, name, value, std::isfinite(value) && value > 0.0, "greater than 0");
-  for (const auto& [name, value] : not_negative)
-    require(violations, name, value, std::isfinite(value) && value >= 0.0, "0 or greater");
+  require_positive(violations, positive);
+  require_not_negative(violations, not_negative);
 }
 
 void check_base(Violations& violations, const BaseParams& p) {
-  const Named positive[] = {{"acceleration [m/s²]", p.acceleration},
-                            {"outer_radius [m]", p.outer_radius}};
-  const Named not_negative[] = {
+  const NamedNumber positive[] = {{"acceleration [m/s²]", p.acceleration},
+                                  {"outer_radius [m]", p.outer_radius}};
+  const NamedNumber not_negative[] = {
       {"max_speed [m/s]", p.max_speed},
       {"advance_rate [1/s]", p.advance_rate},
       {"correction_rate [1/s]", p.correction_rate},
@@ -58,10 +52,8 @@ void check_base(Violations& violations, const BaseParams& p) {
       {"height_speed [m/s]", p.height_speed},
       {"tilt_speed [rad/s]", p.tilt_speed},
   };
-  for (const auto& [name, value] : positive)
-    require(violations, name, value, std::isfinite(value) && value > 0.0, "greater than 0");
-  for (const auto& [name, value] : not_negative)
-    require(violations, name, value, std::isfinite(value) && value >= 0.0, "0 or greater");
+  require_positive(violations, positive);
+  require_not_negative(violations, not_negative);
 }
 
 }  // namespace
@@ -71,13 +63,23 @@ void require(Violations& violations, const char* name, double value, bool holds,
   if (!holds) violations.add(name, "is " + in_words(value) + "; it must be " + must_be);
 }
 
+void require_positive(Violations& violations, std::span<const NamedNumber> numbers) {
+  for (const auto& [name, value] : numbers)
+    require(violations, name, value, std::isfinite(value) && value > 0.0, "greater than 0");
+}
+
+void require_not_negative(Violations& violations, std::span<const NamedNumber> numbers) {
+  for (const auto& [name, value] : numbers)
+    require(violations, name, value, std::isfinite(value) && value >= 0.0, "0 or greater");
+}
+
 void check_controller(Violations& violations, double control_dt, double late_limit,
                       const ExecutorParams& params) {
   require(violations, "control_dt [s]", control_dt, is_control_period(control_dt),
           "from 0.001 to 0.02 (1 to 20 ms)");
   require(violations, "late_limit [s]", late_limit, late_limit >= 0.0, "0 or greater");
-  require(violations, "gravity [m/s²]", params.gravity,
-          std::isfinite(params.gravity) && params.gravity >= 0.0, "0 or greater");
+  const NamedNumber not_negative[] = {{"gravity [m/s²]", params.gravity}};
+  require_not_negative(violations, not_negative);
   check_swing(violations, params.swing);
   check_base(violations, params.base);
 }

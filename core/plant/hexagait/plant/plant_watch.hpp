@@ -44,6 +44,10 @@ class PlantWatch {
   [[nodiscard]] Fault fault() const { return fault_; }
   [[nodiscard]] bool holding() const { return holding_; }  ///< the last measurement was late
 
+  /// After a measurement that was not accepted: none came, in time or for too long. The controller
+  /// coasts. Whatever else is wrong stops the robot at once.
+  [[nodiscard]] bool silent() const { return fault_ == Fault::none || fault_ == Fault::plant_late; }
+
   /// Time from the measurement before to the last one that was accepted [s].
   [[nodiscard]] double elapsed() const { return elapsed_; }
 

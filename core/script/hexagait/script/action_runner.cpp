@@ -63,8 +63,7 @@ const ActionRecord& ActionRunner::tick(PlantStatus status,
 
 // A tick without a measurement: plans are paused as by pause(), everything else coasts.
 void ActionRunner::stand_by(double dt) noexcept {
-  const Fault fault = watch_.fault();
-  if (fault != Fault::none && fault != Fault::plant_late) return executor_.hold();
+  if (!watch_.silent()) return executor_.hold();
   sequencer_.coast(executor_, dt);
   executor_.coast(record_.state, dt);
 }
