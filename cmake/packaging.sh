@@ -22,6 +22,7 @@ hide_but() {
   done
   rm -rf build/visible
   mkdir -p build/visible
+  [[ " $* " != *" urdfdom "* ]] || set -- "$@" tinyxml  # it reads XML with it, and so do we
   for library in eigen3 console_bridge "$@"; do
     for file in /usr/{lib,lib/*,share}/pkgconfig/"$library"*.pc; do
       [[ ! -f $file ]] || sed "s|\${pcfiledir}|${file%/*}|" "$file" >"build/visible/${file##*/}"
