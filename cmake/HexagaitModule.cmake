@@ -10,10 +10,14 @@
 # room math: inline functions of our headers are compiled in their sources too. Nobody reads errno or the
 # flags of floating-point exceptions after a square root: not to set them changes no result. Nor does
 # that a function calls another one of its library without asking who else may define it.
+#
+# hexagait_options(TARGET [COLD])  COLD: it spends no time, so it is compiled fast rather than to be fast
 function(hexagait_options target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "COLD" "" "")
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -ffp-contract=off
                          -fno-math-errno -fno-trapping-math -fno-semantic-interposition
-                         $<$<BOOL:${HEXAGAIT_WERROR}>:-Werror>)
+                         $<$<BOOL:${HEXAGAIT_WERROR}>:-Werror>
+                         $<$<AND:$<BOOL:${arg_COLD}>,$<CONFIG:Release>>:-O1>)
 endfunction()
 
 function(hexagait_module name)
