@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <hexagait/plant/plant.hpp>
 #include <hexagait/sim/imperfection.hpp>
-#include <hexagait/walk/detail/history.hpp>
+#include <hexagait/walk/history.hpp>
 #include <span>
 
 namespace hexagait::walk {
@@ -102,8 +102,8 @@ class FaultyPlant final : public Plant {
   Delay sensing_, command_;
   std::uint64_t tick_ = 0;  // measurements taken so far
   bool late_ = false;       // the present control period
-  detail::History<Measurement> sensed_;
-  detail::History<JointTargets> commanded_;
+  History<Measurement> sensed_;
+  History<JointTargets> commanded_;
   LegArray<bool> touches_;   // in truth, at the last reading
   LegArray<double> bounce_;  // how long each contact still rattles [control periods]
 };

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace hexagait::walk::detail {
+namespace hexagait::walk {
 
 /// The last values of a stream, in a ring that is allocated once.
 template <class Value>
@@ -37,4 +37,4 @@ class History {
   std::size_t newest_ = 0, count_ = 0;
 };
 
-}  // namespace hexagait::walk::detail
+}  // namespace hexagait::walk
