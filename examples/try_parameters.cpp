@@ -37,6 +37,7 @@ std::map<std::string, double*> parameters_of(Setup& s) {
           {"executor.gravity", &s.walker.executor.gravity},
           {"swing.unload_time", &swing.unload_time},
           {"swing.load_time", &swing.load_time},
+          {"swing.even_load_rate", &swing.even_load_rate},
           {"swing.lift_time", &swing.lift_time},
           {"swing.clearance_share", &swing.clearance_share},
           {"swing.transfer_time", &swing.transfer_time},

@@ -61,11 +61,12 @@ Parameters parameters(const footstep_gen::StepParams& params) {
 }
 
 Parameters parameters(const SwingParams& params) {
-  const auto& [unload, load, lift, clearance, transfer, max_speed, overlap, descent, touchdown,
-               margin, search, acceleration, commit, back, up, blocked, retreat, retreats, touch,
-               confirm, lost, regain, reflexes, search_time, follow_rate] = params;
+  const auto& [unload, load, even_load, lift, clearance, transfer, max_speed, overlap, descent,
+               touchdown, margin, search, acceleration, commit, back, up, blocked, retreat,
+               retreats, touch, confirm, lost, regain, reflexes, search_time, follow_rate] = params;
   return {{"unload_time_s", unload},
           {"load_time_s", load},
+          {"even_load_rate_1_s", even_load},
           {"lift_time_s", lift},
           {"clearance_share", clearance},
           {"transfer_time_s", transfer},

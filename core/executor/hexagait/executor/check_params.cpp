@@ -23,17 +23,12 @@ void check_swing(Violations& violations, const SwingParams& p) {
       {"search_time [s]", p.search_time},
   };
   const NamedNumber not_negative[] = {
-      {"clearance_share", p.clearance_share},
-      {"overlap_time [s]", p.overlap_time},
-      {"touchdown_margin [m]", p.touchdown_margin},
-      {"commit_height [m]", p.commit_height},
-      {"retreat_back [m]", p.retreat_back},
-      {"retreat_up [m]", p.retreat_up},
-      {"touch_time [s]", p.touch_time},
-      {"confirm_time [s]", p.confirm_time},
-      {"lost_time [s]", p.lost_time},
-      {"regain_time [s]", p.regain_time},
-      {"follow_rate [1/s]", p.follow_rate},
+      {"even_load_rate [1/s]", p.even_load_rate}, {"clearance_share", p.clearance_share},
+      {"overlap_time [s]", p.overlap_time},       {"touchdown_margin [m]", p.touchdown_margin},
+      {"commit_height [m]", p.commit_height},     {"retreat_back [m]", p.retreat_back},
+      {"retreat_up [m]", p.retreat_up},           {"touch_time [s]", p.touch_time},
+      {"confirm_time [s]", p.confirm_time},       {"lost_time [s]", p.lost_time},
+      {"regain_time [s]", p.regain_time},         {"follow_rate [1/s]", p.follow_rate},
   };
   require_positive(violations, positive);
   require_not_negative(violations, not_negative);

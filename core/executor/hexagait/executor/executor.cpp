@@ -14,6 +14,13 @@ constexpr double kMoving = 1e-6;
 // Share of the joints' speed that a rising foot may use; the base moves too.
 constexpr double kRiseShare = 0.75;
 
+// Drives are not just late: a foot at full speed may be beside the line of (lag 1) by this share of
+// the way that it makes within their lag.
+constexpr double kUnknownLag = 0.25;
+
+// The loads are evened out at no more than this over the lag of the drives: well damped.
+constexpr double kMostLag = 0.25;
+
 // Upward speed of the foot at the workspace centre, within kRiseShare of the joints' speeds [m/s].
 double rise_speed(const LegModel& leg) {
   constexpr double kStep = 1e-3;
@@ -118,6 +125,7 @@ void Executor::move(const RobotState& state, double dt) noexcept {
   update_base_error(state, dt);  // its error from the plan, for the virtual model
   note_tracking(state, dt);      // errors of the feet, before their set points move on
   carry_with_ground(state, dt);  // set points of the feet, as the base moves over the ground
+  even_out_loads(state, dt);     // set points of the feet that stand
   move_legs(state, dt);          // motion of the feet over the ground
   set_joints(state, dt);
   set_efforts(state, dt);
@@ -221,9 +229,32 @@ void Executor::go_on(const RobotState& state, double dt) noexcept {
   set_efforts(state, dt);
 }
 
-void Executor::move_legs(const RobotState& state, double dt) noexcept {
+// (executor 2). A foot that can't reach its set point says nothing about its load.
+void Executor::even_out_loads(const RobotState& state, double dt) noexcept {
+  if (!params_.swing.reflexes) return;
+  const Vector3 up_B = state.X_OB.R.row(2);
+  const auto bears = [this](LegId i) {
+    return legs_[i].phase == LegPhase::support && legs_[i].load > 1.0 - kTimeTolerance &&
+           reachable_[i];
+  };
+  double mean = 0.0, feet = 0.0;
   for (LegId i = 0; i < legs_.size(); ++i) {
-    const LegSensed sensed{state.contact[i], lag_.error(i), reachable_[i], off_[i]};
+    if (!bears(i)) continue;
+    mean += up_B.dot(off_[i]);
+    ++feet;
+  }
+  if (feet > 0.0) mean /= feet;
+  const double rate = std::min(params_.swing.even_load_rate, kMostLag / (lag_.lag() + dt));
+  const double share = decay_share(rate * dt);
+  for (LegId i = 0; i < legs_.size(); ++i)
+    if (bears(i)) legs_[i].p_BF += share * (up_B.dot(off_[i]) - mean) * up_B;
+}
+
+void Executor::move_legs(const RobotState& state, double dt) noexcept {
+  const double unknown = kUnknownLag * params_.swing.max_speed * lag_.lag();
+  for (LegId i = 0; i < legs_.size(); ++i) {
+    const double error = std::max(0.0, lag_.error(i).norm() - unknown);
+    const LegSensed sensed{state.contact[i], error, reachable_[i], off_[i]};
     const LegPhase before = legs_[i].phase;
     if (before == LegPhase::follow)
       follow(legs_[i], plans_[i], sensed, state.X_OB, dt, rate_, params_.swing);

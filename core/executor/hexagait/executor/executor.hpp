@@ -125,6 +125,7 @@ class Executor {
   void go_on(const RobotState& state, double dt) noexcept;
   void note_tracking(const RobotState& state, double dt) noexcept;
   void move_legs(const RobotState& state, double dt) noexcept;
+  void even_out_loads(const RobotState& state, double dt) noexcept;
   void stand_where_it_is(LegId leg, const RobotState& state) noexcept;
   void set_joints(const RobotState& state, double dt) noexcept;
   void set_efforts(const RobotState& state, double dt) noexcept;

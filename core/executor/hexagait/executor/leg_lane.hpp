@@ -31,6 +31,9 @@ struct SwingParams {
   /// Time in which a landed leg takes its full load [s]. It counts as support when it has it, so
   /// longer than confirm_time costs speed. Shorter: the load of the feet jumps.
   double load_time = 0.02;
+  /// Rate at which the feet that stand even out their loads [1/s]. 0: a foot that stands too high
+  /// for the others carries little, and loses the ground. Higher: the body sways.
+  double even_load_rate = 20.0;
   /// Time from leaving the ground to the apex [s]; longer where the joints' speed requires it.
   double lift_time = 0.20;
   /// Fraction of the profile height from which the foot moves sideways. Smaller: faster, but the
@@ -53,7 +56,7 @@ struct SwingParams {
   double retreat_up = 0.05;    ///< rise after a collision [m]
   /// Distance between the foot and where its drive, with its lag, would have it, that counts as a
   /// collision: a shin against an edge stops the leg without a contact at its foot [m].
-  double blocked_error = 0.03;
+  double blocked_error = 0.008;
   double retreat_time = 0.15;  ///< [s]
   /// Collisions in one step after which the foot goes back to where it stood, and stays down. Each
   /// try costs half a second, in which its neighbours wait.
