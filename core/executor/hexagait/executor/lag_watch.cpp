@@ -36,7 +36,7 @@ void LagWatch::watch(LegId leg, const Vector3& p, const Vector3& set_point, bool
                      double dt) noexcept {
   const Vector3 v = (set_point - before_[leg]) / dt;
   go_on(leg, set_point, dt);
-  error_[leg] = distance_to_segment(p, lagging_[leg], set_point);
+  error_[leg] = swings ? distance_to_segment(p, lagging_[leg], set_point) : 0.0;
 
   const double v2 = v.squaredNorm();
   if (!swings || v2 < kMoving * kMoving) return;

@@ -37,8 +37,9 @@ class LagWatch {
   /// Starts with a foot at its set point.
   void restart(LegId leg, const Vector3& set_point) noexcept;
 
-  [[nodiscard]] double error(LegId leg) const { return error_[leg]; }  ///< [m]
-  [[nodiscard]] double lag() const { return lag_; }                    ///< τ̂ [s]
+  /// Of a foot in the air; 0 for one that stands [m].
+  [[nodiscard]] double error(LegId leg) const { return error_[leg]; }
+  [[nodiscard]] double lag() const { return lag_; }  ///< τ̂ [s]
 
  private:
   LegArray<Vector3> before_;   ///< set points of the last tick [m]
