@@ -253,7 +253,7 @@ void Executor::even_out_loads(const RobotState& state, double dt) noexcept {
 void Executor::move_legs(const RobotState& state, double dt) noexcept {
   const double unknown = kUnknownLag * params_.swing.max_speed * lag_.lag();
   for (LegId i = 0; i < legs_.size(); ++i) {
-    const double error = std::max(0.0, lag_.error(i).norm() - unknown);
+    const double error = std::max(0.0, lag_.error(i) - unknown);
     const LegSensed sensed{state.contact[i], error, reachable_[i], off_[i]};
     const LegPhase before = legs_[i].phase;
     if (before == LegPhase::follow)

@@ -34,7 +34,7 @@ LegSolution Executor::wanted_joints(LegId leg, const RobotState& state) noexcept
   const LegModel& model = model_->legs[leg];
   const LegLane& lane = legs_[leg];
   const LegPlan& plan = plans_[leg];
-  if (!led_by_joints(leg)) return inverse_kinematics(model, lane.p_BF, targets_.q[leg]);
+  if (!led_by_joints(leg)) return inverse_kinematics(model, lane.p_BF, targets_.q[leg], trig_[leg]);
   if (lane.phase == LegPhase::hold) return {targets_.q[leg], trig_[leg], true};
   const bool driven = plan.mode == ControlMode::effort;  // its position is free
   const LegJoints asked = driven ? state.q[leg] : plan.joints.at(lane.time).q;
@@ -85,18 +85,15 @@ void Executor::set_joints(const RobotState& state, double dt) noexcept {
 
 void Executor::set_efforts(const RobotState& state, double dt) noexcept {
   const int n = legs_.size();
-  WholeBodyInput input{.p_BF = LegArray<Vector3>(n),
+  WholeBodyInput input{.q = targets_.q,
                        .trig = trig_,
+                       .p_BF = LegArray<Vector3>(n),
                        .load = LegArray<double>(n),
                        .up_B = state.X_OB.R.row(2),
-                       .q = {},
                        .normal_B = {},
                        .error = base_error_};
   const bool virtual_model = params_.controller == WholeBodyController::virtual_model;
-  if (virtual_model) {
-    input.q = targets_.q;
-    input.normal_B = LegArray<Vector3>(n);
-  }
+  if (virtual_model) input.normal_B = LegArray<Vector3>(n);
   for (LegId i = 0; i < n; ++i) {
     input.p_BF[i] = legs_[i].p_BF;
     input.load[i] = legs_[i].load;
@@ -112,11 +109,12 @@ void Executor::set_efforts(const RobotState& state, double dt) noexcept {
 
   for (LegId i = 0; i < n; ++i) {
     // The efforts of a plan in effort mode replace these; standing legs belong to the controller.
-    if (params_.controller == WholeBodyController::virtual_model) {
+    if (virtual_model) {
       if (targets_.mode[i] == ControlMode::effort) efforts.effort[i].setZero();
       if (legs_[i].on_ground() && solved) targets_.mode[i] = ControlMode::effort;
     }
-    add_planned_efforts(i, efforts.effort[i], state, dt);
+    const bool planned = legs_[i].phase == LegPhase::follow || !is_zero(planned_effort_[i]);
+    if (planned) add_planned_efforts(i, efforts.effort[i], state, dt);
     set_effort(i, efforts.effort[i]);
   }
 }
@@ -141,10 +139,10 @@ void Executor::set_effort(LegId leg, const LegJoints& effort) noexcept {
     failed_ = true;
     return;
   }
-  for (int k = 0; k < model_->legs[leg].num_joints(); ++k) {
-    const double limit = model_->legs[leg].limits[k].effort;
-    targets_.effort[leg][k] = std::clamp(effort[k], -limit, limit);
-  }
+  const JointArray<JointLimits>& limits = model_->legs[leg].limits;
+  LegJoints& target = targets_.effort[leg];
+  for (int k = 0; k < limits.size(); ++k)
+    target[k] = std::clamp(effort[k], -limits[k].effort, limits[k].effort);
 }
 
 LegJoints Executor::planned_effort(LegId leg, const RobotState& state) const noexcept {
@@ -152,8 +150,7 @@ LegJoints Executor::planned_effort(LegId leg, const RobotState& state) const noe
   if (legs_[leg].phase != LegPhase::follow) return LegJoints::Zero();
   if (plan.kind == LegPlan::Kind::joints) return plan.joints.effort_at(legs_[leg].time);
   if (plan.force_O.isZero()) return LegJoints::Zero();
-  return foot_jacobian(model_->legs[leg], trig_[leg]).transpose() *
-         (state.X_OB.R.transpose() * plan.force_O);
+  return foot_effort(model_->legs[leg], trig_[leg], state.X_OB.R.transpose() * plan.force_O);
 }
 
 }  // namespace hexagait

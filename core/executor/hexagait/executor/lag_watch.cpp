@@ -16,11 +16,11 @@ constexpr double kMemory = 0.5;
 // Slower set points say nothing about the lag: there friction and load deflect the drive more [m/s].
 constexpr double kMoving = 0.3;
 
-Vector3 from_segment(const Vector3& p, const Vector3& a, const Vector3& b) {
+double distance_to_segment(const Vector3& p, const Vector3& a, const Vector3& b) {
   const Vector3 way = b - a;
   const double length2 = way.squaredNorm();
   const double s = length2 > 0.0 ? std::clamp((p - a).dot(way) / length2, 0.0, 1.0) : 0.0;
-  return p - a - s * way;
+  return (p - a - s * way).norm();
 }
 
 }  // namespace
@@ -29,14 +29,14 @@ Vector3 from_segment(const Vector3& p, const Vector3& a, const Vector3& b) {
 LagWatch::LagWatch(int legs)
     : before_(legs, Vector3::Zero()),
       lagging_(legs, Vector3::Zero()),
-      error_(legs, Vector3::Zero()),
+      error_(legs, 0.0),
       lag_(kLongest) {}
 
 void LagWatch::watch(LegId leg, const Vector3& p, const Vector3& set_point, bool swings,
                      double dt) noexcept {
   const Vector3 v = (set_point - before_[leg]) / dt;
   go_on(leg, set_point, dt);
-  error_[leg] = from_segment(p, lagging_[leg], set_point);
+  error_[leg] = swings ? distance_to_segment(p, lagging_[leg], set_point) : 0.0;
 
   const double v2 = v.squaredNorm();
   if (!swings || v2 < kMoving * kMoving) return;
@@ -52,7 +52,7 @@ void LagWatch::go_on(LegId leg, const Vector3& set_point, double dt) noexcept {
 
 void LagWatch::restart(LegId leg, const Vector3& set_point) noexcept {
   before_[leg] = lagging_[leg] = set_point;
-  error_[leg].setZero();
+  error_[leg] = 0.0;
 }
 
 }  // namespace hexagait

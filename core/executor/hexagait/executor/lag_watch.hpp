@@ -37,14 +37,14 @@ class LagWatch {
   /// Starts with a foot at its set point.
   void restart(LegId leg, const Vector3& set_point) noexcept;
 
-  /// From the nearest point of that line to the foot, body frame [m].
-  [[nodiscard]] const Vector3& error(LegId leg) const { return error_[leg]; }
+  /// Of a foot in the air; 0 for one that stands [m].
+  [[nodiscard]] double error(LegId leg) const { return error_[leg]; }
   [[nodiscard]] double lag() const { return lag_; }  ///< τ̂ [s]
 
  private:
   LegArray<Vector3> before_;   ///< set points of the last tick [m]
   LegArray<Vector3> lagging_;  ///< p_τ [m]
-  LegArray<Vector3> error_;    ///< [m]
+  LegArray<double> error_;     ///< [m]
   double lag_;
 };
 

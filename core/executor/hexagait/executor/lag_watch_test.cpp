@@ -19,7 +19,7 @@ struct SwingingFoot {
   /// @param stopped_at  the foot cannot pass this x [m]
   void tick(double stopped_at = 1.0) {
     watch.watch(0, p, set_point, true, dt);
-    worst = std::max(worst, watch.error(0).norm());
+    worst = std::max(worst, watch.error(0));
     t += dt;
     const double T = 0.38, phase = std::fmod(t, 2.0 * T);
     PointState there;
@@ -58,7 +58,7 @@ TEST(LagWatch, FindsARealObstacleWithinTheLagAndTheTimeForItsError) {
       SwingingFoot foot{lag, dt};
       foot.swing(8 * 0.76);
       double blocked = -1.0, t = 0.0;
-      while (foot.watch.error(0).norm() < 0.03 && t < 0.38) {
+      while (foot.watch.error(0) < 0.03 && t < 0.38) {
         foot.tick(0.17);
         t += dt;
         if (blocked < 0.0 && foot.p.x() >= 0.17) blocked = t;
