@@ -44,18 +44,20 @@ BENCHMARK_CAPTURE(optimise, step_of_15_cm_on_six_feet, 0.15, LegSet(0b111111));
 BENCHMARK_CAPTURE(optimise, step_of_15_cm_on_a_tripod, 0.15, LegSet(0b011001));
 
 void efforts(benchmark::State& state, WholeBodyController controller, LegSet support, double push) {
-  WholeBodyInput input{LegArray<Vector3>(6),
-                       LegArray<LegTrig>(6),
+  LegArray<LegJoints> q(6);
+  LegArray<LegTrig> trig(6);
+  WholeBodyInput input{q,
+                       trig,
+                       LegArray<Vector3>(6),
                        LegArray<double>(6, 0.0),
                        Vector3::UnitZ(),
-                       LegArray<LegJoints>(6),
                        LegArray<Vector3>(6, Vector3::UnitZ()),
                        {}};
   for (LegId i = 0; i < 6; ++i) {
     input.p_BF[i] = argos().legs[i].p_BC;
     const LegSolution joints = inverse_kinematics(argos().legs[i], input.p_BF[i]);
-    input.trig[i] = joints.trig;
-    input.q[i] = joints.q;
+    trig[i] = joints.trig;
+    q[i] = joints.q;
     input.load[i] = support.contains(i) ? 1.0 : 0.0;
   }
   input.error.p_B = {push, 0.0, 0.005};

@@ -34,69 +34,68 @@ double workspace_left(const Vector2& offset, const Vector2& direction, double ra
   return root <= 0.0 ? std::max(0.0, b) : std::max(0.0, b + std::sqrt(root));
 }
 
-// A standing robot seen along gravity: axes of odom, origin at the body's.
-struct Stance {
-  SupportPolygon polygon;
-  Vector2 p_M;        // centre of mass [m]
-  Vector2 direction;  // of its path, per metre of path
-};
-
-Vector2 seen_from_above(const Matrix3& R_OB, const Vector3& v_B) { return (R_OB * v_B).head<2>(); }
-
-Stance stance_of(const RobotModel& model, const PathArc& arc, const Executor& executor,
-                 const Matrix3& R_OB) {
-  LegArray<Vector3> feet(model.num_legs());
-  for (LegId i = 0; i < feet.size(); ++i) feet[i] = R_OB * executor.legs()[i].p_BF;
-  const Vector2 direction = direction_at(arc, model.p_BM);
-  return {support_polygon(feet, executor.support()), seen_from_above(R_OB, model.p_BM),
-          seen_from_above(R_OB, {direction.x(), direction.y(), 0.0})};
-}
-
-// Distance of the centre of mass from an edge [m], and how fast it comes closer per metre of path.
+// An edge of the support polygon: how far inside of it the centre of mass is [m], and how much
+// closer it comes per metre of path.
 struct Edge {
   Vector2 inwards;
   double distance, approach;
 };
 
-Edge edge_of(const Stance& stance, int k) {
-  const auto vertex = [&stance](int j) -> const Vector2& {
-    return stance.polygon.vertices[static_cast<std::size_t>(j % stance.polygon.size)];
-  };
-  const Vector2 inwards = perpendicular(vertex(k + 1) - vertex(k)).normalized();
-  return {inwards, inwards.dot(stance.p_M - vertex(k)), -inwards.dot(stance.direction)};
+// A standing robot seen along gravity: axes of odom, origin at the body's.
+struct Stance {
+  InlineArray<Edge, kMaxLegs> edges;
+
+  [[nodiscard]] bool has_inside() const { return edges.size() > 2; }
+};
+
+Vector2 seen_from_above(const Matrix3& R_OB, const Vector3& v_B) { return (R_OB * v_B).head<2>(); }
+
+Stance stance_of(const RobotModel& model, const PathArc& arc, const Executor& executor,
+                 LegSet support, const Matrix3& R_OB) {
+  LegArray<Vector3> feet(model.num_legs());
+  for (LegId i = 0; i < feet.size(); ++i) feet[i] = R_OB * executor.legs()[i].p_BF;
+  const SupportPolygon polygon = support_polygon(feet, support);
+
+  const Vector2 along = direction_at(arc, model.p_BM);
+  const Vector2 p_M = seen_from_above(R_OB, model.p_BM);
+  const Vector2 direction = seen_from_above(R_OB, {along.x(), along.y(), 0.0});
+  Stance stance{InlineArray<Edge, kMaxLegs>(polygon.size)};
+  for (int k = 0; k < polygon.size; ++k) {
+    const Vector2& from = polygon.vertices[static_cast<std::size_t>(k)];
+    const Vector2& to = polygon.vertices[static_cast<std::size_t>((k + 1) % polygon.size)];
+    const Vector2 inwards = perpendicular(to - from).normalized();
+    stance.edges[k] = {inwards, inwards.dot(p_M - from), -inwards.dot(direction)};
+  }
+  return stance;
 }
 
 // Path until the centre of mass comes closer than `margin` to an edge of the support polygon [m].
 // The body turns little within a step, so its path is taken to be straight. Two feet hold the body
 // for as long as it stays near the line between them: until it is `margin` beyond it.
 double stability_left(const Stance& stance, double margin) {
-  const int size = stance.polygon.size;
-  if (size < 2) return 0.0;
+  if (stance.edges.size() < 2) return 0.0;
+  const double least = stance.has_inside() ? margin : -margin;
   double left = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < size; ++k) {
-    const Edge edge = edge_of(stance, k);
-    const double least = size == 2 ? -margin : margin;
+  for (const Edge& edge : stance.edges)
     if (edge.approach > 0.0) left = std::min(left, (edge.distance - least) / edge.approach);
-  }
   return std::max(0.0, left);
 }
 
 // Displacement in the body frame that brings a centre of mass from outside back to the edge [m].
 Vector2 back_over_the_feet(const Stance& stance, const Matrix3& R_OB) {
   Vector2 back = Vector2::Zero();
-  for (int k = 0; k < stance.polygon.size && stance.polygon.size > 2; ++k) {
-    const Edge edge = edge_of(stance, k);
+  if (!stance.has_inside()) return back;
+  for (const Edge& edge : stance.edges)
     if (edge.distance < 0.0) back -= edge.distance * edge.inwards;
-  }
   return R_OB.topLeftCorner<2, 2>().transpose() * back;
 }
 
 // A correction must not take a centre of mass that is at an edge farther out.
 Vector2 kept_inside(const Vector2& correction, const Stance& stance, const Matrix3& R_OB,
                     double margin) {
+  if (!stance.has_inside()) return correction;
   Vector2 way = R_OB.topLeftCorner<2, 2>() * correction;
-  for (int k = 0; k < stance.polygon.size && stance.polygon.size > 2; ++k) {
-    const Edge edge = edge_of(stance, k);
+  for (const Edge& edge : stance.edges) {
     const double out = -edge.inwards.dot(way), room = std::max(0.0, edge.distance - margin);
     if (out > room) way += (out - room) * edge.inwards;
   }
@@ -156,7 +155,8 @@ FootstepCommand footstep(const RobotModel& model, const PathArc& arc, const Robo
 BaseAutoCommand base_auto(const RobotModel& model, const PathArc& arc, const Executor& executor,
                           const Pose& X_OB, const PlanarTwist& deviation,
                           const StepParams& params) noexcept {
-  const Stance stance = stance_of(model, arc, executor, X_OB.R);
+  const LegSet support = executor.support();
+  const Stance stance = stance_of(model, arc, executor, support, X_OB.R);
   BaseAutoCommand base;
   base.adaptation = pose_adaptation;
   base.path = arc.per_metre;
@@ -164,7 +164,6 @@ BaseAutoCommand base_auto(const RobotModel& model, const PathArc& arc, const Exe
   base.correction.v = kept_inside(deviation.v, stance, X_OB.R, params.stability_margin) +
                       back_over_the_feet(stance, X_OB.R);
   base.max_advance = stability_left(stance, params.stability_margin);
-  const LegSet support = executor.support();
   for (LegId i = 0; i < model.num_legs(); ++i) {
     if (!support.contains(i)) continue;
     const Vector3& p_BF = executor.legs()[i].p_BF;

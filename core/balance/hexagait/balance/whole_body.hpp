@@ -62,13 +62,13 @@ struct BaseError {
 
 /// The inputs of joint_efforts().
 struct WholeBodyInput {
+  const LegArray<LegJoints>& q;     ///< joint targets [rad]
+  const LegArray<LegTrig>& trig;    ///< of q
   LegArray<Vector3> p_BF;           ///< set points of the feet, body frame [m]
-  LegArray<LegTrig> trig;           ///< of the joint targets
   LegArray<double> load;            ///< fraction of its load that each leg carries, 0 … 1
   Vector3 up_B = Vector3::UnitZ();  ///< direction opposite to gravity, body frame
 
   // Used by the virtual model only:
-  LegArray<LegJoints> q;       ///< joint values of trig [rad]
   LegArray<Vector3> normal_B;  ///< of the ground at each foot, unit vectors
   BaseError error;
 };

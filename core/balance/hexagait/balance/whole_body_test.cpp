@@ -21,22 +21,29 @@ const RobotModel& argos() {
 }
 
 /// All feet at their nominal places, all carrying, nothing amiss.
-WholeBodyInput standing() {
-  WholeBodyInput input{LegArray<Vector3>(6),
-                       LegArray<LegTrig>(6),
+struct Standing {
+  LegArray<LegJoints> q{6};
+  LegArray<LegTrig> trig{6};
+  WholeBodyInput input{q,
+                       trig,
+                       LegArray<Vector3>(6),
                        LegArray<double>(6, 1.0),
                        Vector3::UnitZ(),
-                       LegArray<LegJoints>(6),
                        LegArray<Vector3>(6, Vector3::UnitZ()),
                        {}};
-  for (LegId i = 0; i < 6; ++i) {
-    input.p_BF[i] = argos().legs[i].p_BC;
-    const LegSolution joints = inverse_kinematics(argos().legs[i], input.p_BF[i]);
-    input.trig[i] = joints.trig;
-    input.q[i] = joints.q;
+
+  Standing() {
+    for (LegId i = 0; i < 6; ++i) put(i, argos().legs[i].p_BC);
   }
-  return input;
-}
+  Standing(const Standing&) = delete;
+
+  void put(LegId leg, const Vector3& p_BF) {
+    const LegSolution joints = inverse_kinematics(argos().legs[leg], p_BF);
+    input.p_BF[leg] = p_BF;
+    q[leg] = joints.q;
+    trig[leg] = joints.trig;
+  }
+};
 
 LegArray<LegJoints> efforts(WholeBodyController controller, const WholeBodyInput& input) {
   return joint_efforts(controller, argos(), input, kGravity, {}).effort;
@@ -61,7 +68,8 @@ Wrench wrench_of(WholeBodyController controller, const WholeBodyInput& input) {
 }
 
 TEST(WholeBody, CarriesTheWeightWithEitherController) {
-  const WholeBodyInput input = standing();
+  const Standing standing;
+  const WholeBodyInput& input = standing.input;
   for (const auto controller : {kKinematic, kVirtualModel}) {
     const Wrench wrench = wrench_of(controller, input);
     EXPECT_LT((wrench.force - Vector3(0, 0, 50.0 * kGravity)).norm(), 0.01);
@@ -71,7 +79,8 @@ TEST(WholeBody, CarriesTheWeightWithEitherController) {
 
 // To the bit: shared_load() along `up_B`, through the Jacobian of the joint targets.
 TEST(WholeBody, FeedsForwardSharedLoadsIfKinematic) {
-  WholeBodyInput input = standing();
+  Standing standing;
+  WholeBodyInput& input = standing.input;
   input.load[1] = 0.3;
   input.load[4] = 0.0;
   input.up_B = rotation({0.1, -0.2, 0.3}).row(2);
@@ -88,7 +97,8 @@ TEST(WholeBody, FeedsForwardSharedLoadsIfKinematic) {
 // A base 1 cm too low, 5 mm too far left, turned by 0.02 rad: m ω² e and I ω² θ on top of the
 // weight, which is 50 · 12.5² = 7812.5 N/m, and by I_yy = 3.38 kg m² (sum of the URDF) 528 N m/rad.
 TEST(WholeBody, PushesTheBaseBackLikeASpring) {
-  WholeBodyInput input = standing();
+  Standing standing;
+  WholeBodyInput& input = standing.input;
   const Pose X_OB{rotation({0.0, 0.02, 0.0}), {1.0, 0.005, 0.29}};
   const Pose X_OD{Matrix3::Identity(), {1.0, 0.0, 0.30}};
   input.error = base_error(X_OB, {}, X_OD, {});
@@ -103,7 +113,8 @@ TEST(WholeBody, PushesTheBaseBackLikeASpring) {
 
 // Too slow upwards by 0.1 m/s, too fast about z by 0.2 rad/s: 2 ζ m ω = 2 · 50 · 12.5 = 1250 N s/m.
 TEST(WholeBody, DampsTheMotionOfTheBase) {
-  WholeBodyInput input = standing();
+  Standing standing;
+  WholeBodyInput& input = standing.input;
   const Twist actual{{0.0, 0.0, -0.1}, {0.0, 0.0, 0.2}};
   input.error = base_error({}, actual, {}, {});
   const Wrench wrench = wrench_of(kVirtualModel, input);
@@ -121,7 +132,8 @@ TEST(WholeBody, BringsAnyRobotBackInTheSameTime) {
     VirtualModelParams params;
     params.frequency = random.uniform(5.0, 20.0);
     params.turn_frequency = random.uniform(5.0, 20.0);
-    WholeBodyInput input;
+    Standing standing;
+    WholeBodyInput& input = standing.input;
     input.error.p_B = {0.01, -0.02, 0.03};
     input.error.turn_B = {0.01, 0.02, -0.01};
     const Vector3 p0 = input.error.p_B, turn0 = input.error.turn_B;
@@ -146,7 +158,8 @@ TEST(WholeBody, BringsAnyRobotBackInTheSameTime) {
 // the error of that point is not that of the centre: p × F, and e + θ × p.
 TEST(WholeBody, ActsAtTheCentreOfMass) {
   const Vector3 p_BM(0.1, -0.05, 0.02);
-  WholeBodyInput input;
+  Standing standing;
+  WholeBodyInput& input = standing.input;
   input.error.p_B = {0.01, 0.0, 0.0};
   input.error.turn_B = {0.0, 0.0, 0.1};
   const Wrench wrench = virtual_model_wrench(argos(), p_BM, input, 0.0, {});
@@ -159,12 +172,10 @@ TEST(WholeBody, ActsAtTheCentreOfMass) {
 // A leg in the air swings out by 0.2 m: the centre of mass goes along, and the others carry it
 // there.
 TEST(WholeBody, CarriesTheCentreOfMassWhereTheLegsPutIt) {
-  WholeBodyInput input = standing();
+  Standing standing;
+  WholeBodyInput& input = standing.input;
   input.load[0] = 0.0;
-  input.p_BF[0] += Vector3(0.1, 0.15, 0.1);
-  const LegSolution joints = inverse_kinematics(argos().legs[0], input.p_BF[0]);
-  input.q[0] = joints.q;
-  input.trig[0] = joints.trig;
+  standing.put(0, input.p_BF[0] + Vector3(0.1, 0.15, 0.1));
   Vector3 moment_B = argos().base.mass * argos().base.p_LM;
   for (LegId i = 0; i < 6; ++i)
     for (int k = 0; k < argos().legs[i].num_joints(); ++k) {
@@ -192,7 +203,8 @@ TEST(WholeBody, SeesTheErrorInTheAxesOfTheBase) {
 TEST(WholeBody, ChangesEffortsWithoutAJumpAsLegsAreUnloaded) {
   for (const auto controller : {kKinematic, kVirtualModel}) {
     for (const int steps : {50, 500}) {
-      WholeBodyInput input = standing();
+      Standing standing;
+      WholeBodyInput& input = standing.input;
       input.error.p_B = {0.01, 0.0, 0.005};
       LegArray<LegJoints> before = efforts(controller, input);
       for (int k = steps - 1; k >= 0; --k) {
@@ -215,7 +227,8 @@ TEST(WholeBody, ChangesEffortsWithoutAJumpAsLegsAreUnloaded) {
 TEST(WholeBody, IsFiniteWhateverTheErrorIs) {
   RandomSequence random{.seed = 1};
   for (int trial = 0; trial < 300; ++trial) {
-    WholeBodyInput input = standing();
+    Standing standing;
+    WholeBodyInput& input = standing.input;
     for (double& x : input.error.p_B) x = random.uniform(-1, 1) * std::pow(10.0, 9 * random.u01());
     for (double& load : input.load) load = random.u01() < 0.3 ? 0.0 : random.u01();
     for (const LegJoints& effort : efforts(kVirtualModel, input)) ASSERT_TRUE(effort.allFinite());

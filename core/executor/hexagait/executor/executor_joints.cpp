@@ -85,18 +85,15 @@ void Executor::set_joints(const RobotState& state, double dt) noexcept {
 
 void Executor::set_efforts(const RobotState& state, double dt) noexcept {
   const int n = legs_.size();
-  WholeBodyInput input{.p_BF = LegArray<Vector3>(n),
+  WholeBodyInput input{.q = targets_.q,
                        .trig = trig_,
+                       .p_BF = LegArray<Vector3>(n),
                        .load = LegArray<double>(n),
                        .up_B = state.X_OB.R.row(2),
-                       .q = {},
                        .normal_B = {},
                        .error = base_error_};
   const bool virtual_model = params_.controller == WholeBodyController::virtual_model;
-  if (virtual_model) {
-    input.q = targets_.q;
-    input.normal_B = LegArray<Vector3>(n);
-  }
+  if (virtual_model) input.normal_B = LegArray<Vector3>(n);
   for (LegId i = 0; i < n; ++i) {
     input.p_BF[i] = legs_[i].p_BF;
     input.load[i] = legs_[i].load;
@@ -112,7 +109,7 @@ void Executor::set_efforts(const RobotState& state, double dt) noexcept {
 
   for (LegId i = 0; i < n; ++i) {
     // The efforts of a plan in effort mode replace these; standing legs belong to the controller.
-    if (params_.controller == WholeBodyController::virtual_model) {
+    if (virtual_model) {
       if (targets_.mode[i] == ControlMode::effort) efforts.effort[i].setZero();
       if (legs_[i].on_ground() && solved) targets_.mode[i] = ControlMode::effort;
     }
@@ -124,8 +121,9 @@ void Executor::set_efforts(const RobotState& state, double dt) noexcept {
 // Efforts that a plan adds are ramped.
 void Executor::add_planned_efforts(LegId leg, LegJoints& effort, const RobotState& state,
                                    double dt) noexcept {
-  const LegJoints wish = planned_effort(leg, state);
   LegJoints& planned = planned_effort_[leg];
+  if (legs_[leg].phase != LegPhase::follow && is_zero(planned)) return;
+  const LegJoints wish = planned_effort(leg, state);
   if (is_zero(wish) && is_zero(planned)) return;
   for (int k = 0; k < model_->legs[leg].num_joints(); ++k) {
     const double limit = model_->legs[leg].limits[k].effort, most = limit * dt / kEffortRamp;
