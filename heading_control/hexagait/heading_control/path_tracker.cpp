@@ -28,13 +28,13 @@ void PathTracker::follow(const PlanarTwist& per_metre) {
 
 PlanarTwist PathTracker::update(const PlanarPose& X_OB) noexcept {
   // One Newton step along the curve is enough: the base moves by less than a millimetre per update.
-  PlanarPose ahead = ideal_.inverse() * X_OB;
+  PlanarPose ahead = between(ideal_, X_OB);
   ahead.angle = wrap_angle(ahead.angle);
   const double norm = product(per_metre_, per_metre_);
   if (norm > 0.0) s_ += product(per_metre_, logarithm(ahead)) / norm;
   ideal_ = anchor_ * exponential(per_metre_, s_);
 
-  PlanarPose back = X_OB.inverse() * ideal_;
+  PlanarPose back = between(X_OB, ideal_);
   back.angle = wrap_angle(back.angle);
   return logarithm(back);
 }

@@ -17,8 +17,7 @@ LegArray<LegJoints> kinematic_efforts(const RobotModel& model, const WholeBodyIn
       shared_load(input.p_BF, model.p_BM, input.load, model.mass * gravity);
   for (LegId i = 0; i < n; ++i) {
     if (force[i] > 0.0)
-      effort[i] =
-          foot_jacobian(model.legs[i], input.trig[i]).transpose() * (-force[i] * input.up_B);
+      effort[i] = foot_effort(model.legs[i], input.trig[i], -force[i] * input.up_B);
   }
   return effort;
 }
@@ -53,7 +52,7 @@ JointEfforts virtual_model_efforts(const RobotModel& model, const WholeBodyInput
                       input.p_BF, input.normal_B, input.load},
                      contact_params(model, gravity, params));
   for (LegId i = 0; i < n; ++i)
-    effort[i] -= foot_jacobian(model.legs[i], input.trig[i]).transpose() * forces.force[i];
+    effort[i] -= foot_effort(model.legs[i], input.trig[i], forces.force[i]);
   return {effort, forces.status};
 }
 

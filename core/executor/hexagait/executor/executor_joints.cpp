@@ -34,7 +34,7 @@ LegSolution Executor::wanted_joints(LegId leg, const RobotState& state) noexcept
   const LegModel& model = model_->legs[leg];
   const LegLane& lane = legs_[leg];
   const LegPlan& plan = plans_[leg];
-  if (!led_by_joints(leg)) return inverse_kinematics(model, lane.p_BF, targets_.q[leg]);
+  if (!led_by_joints(leg)) return inverse_kinematics(model, lane.p_BF, targets_.q[leg], trig_[leg]);
   if (lane.phase == LegPhase::hold) return {targets_.q[leg], trig_[leg], true};
   const bool driven = plan.mode == ControlMode::effort;  // its position is free
   const LegJoints asked = driven ? state.q[leg] : plan.joints.at(lane.time).q;
@@ -150,8 +150,7 @@ LegJoints Executor::planned_effort(LegId leg, const RobotState& state) const noe
   if (legs_[leg].phase != LegPhase::follow) return LegJoints::Zero();
   if (plan.kind == LegPlan::Kind::joints) return plan.joints.effort_at(legs_[leg].time);
   if (plan.force_O.isZero()) return LegJoints::Zero();
-  return foot_jacobian(model_->legs[leg], trig_[leg]).transpose() *
-         (state.X_OB.R.transpose() * plan.force_O);
+  return foot_effort(model_->legs[leg], trig_[leg], state.X_OB.R.transpose() * plan.force_O);
 }
 
 }  // namespace hexagait

@@ -36,10 +36,12 @@ void LagWatch::watch(LegId leg, const Vector3& p, const Vector3& set_point, bool
                      double dt) noexcept {
   const Vector3 v = (set_point - before_[leg]) / dt;
   go_on(leg, set_point, dt);
+  error_[leg].setZero();
+  if (!swings) return;
   error_[leg] = from_segment(p, lagging_[leg], set_point);
 
   const double v2 = v.squaredNorm();
-  if (!swings || v2 < kMoving * kMoving) return;
+  if (v2 < kMoving * kMoving) return;
   const double lag = std::clamp((set_point - p).dot(v) / v2, 0.0, kLongest);
   lag_ += decay_share(dt / kMemory) * (lag - lag_);
 }

@@ -37,7 +37,7 @@ class LagWatch {
   /// Starts with a foot at its set point.
   void restart(LegId leg, const Vector3& set_point) noexcept;
 
-  /// From the nearest point of that line to the foot, body frame [m].
+  /// From the nearest point of that line to the foot, body frame; 0 for a foot that stands [m].
   [[nodiscard]] const Vector3& error(LegId leg) const { return error_[leg]; }
   [[nodiscard]] double lag() const { return lag_; }  ///< τ̂ [s]
 

@@ -33,6 +33,13 @@ struct PlanarPose {
   }
 };
 
+/// a.inverse() * b: the pose b as seen from a.
+[[nodiscard]] inline PlanarPose between(const PlanarPose& a, const PlanarPose& b) {
+  const auto [s, c] = portable::sincos(a.angle);
+  const Vector2 way = b.shift - a.shift;
+  return {b.angle - a.angle, {c * way.x() + s * way.y(), c * way.y() - s * way.x()}};
+}
+
 /// The displacement after following `twist` for a time or path length s: the exponential map of
 /// SE(2). Accurate for every w·s, including 0.
 [[nodiscard]] PlanarPose exponential(const PlanarTwist& twist, double s);

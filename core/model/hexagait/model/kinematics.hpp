@@ -36,6 +36,13 @@ template <class F>
   return by_kind(leg, [&]<class Kind>(Kind) { return Kind::foot_jacobian(leg, trig); });
 }
 
+/// Joint efforts with which the foot presses on the world with a force: Jᵀ F [N m].
+/// @param force_B  F, axes of the body [N]
+[[nodiscard]] inline LegJoints foot_effort(const LegModel& leg, const LegTrig& trig,
+                                           const Vector3& force_B) noexcept {
+  return by_kind(leg, [&]<class Kind>(Kind) { return Kind::foot_effort(leg, trig, force_B); });
+}
+
 /// R_BT of a frame T that is fixed to the last link.
 [[nodiscard]] inline Matrix3 tibia_rotation(const LegModel& leg, const LegTrig& trig) noexcept {
   return by_kind(leg, [&]<class Kind>(Kind) { return Kind::tibia_rotation(leg, trig); });
@@ -62,6 +69,16 @@ template <class F>
 [[nodiscard]] inline LegSolution inverse_kinematics(const LegModel& leg, const Vector3& p_BF,
                                                     const LegJoints& near) noexcept {
   return by_kind(leg, [&]<class Kind>(Kind) { return Kind::inverse_kinematics(leg, p_BF, near); });
+}
+
+/// The same, faster for a foot that has moved little since `near`. It goes on from there, and so the
+/// joint values keep the rounding error of `near`, and add one of 2e-16 rad.
+/// @param near_trig  of `near`
+[[nodiscard]] inline LegSolution inverse_kinematics(const LegModel& leg, const Vector3& p_BF,
+                                                    const LegJoints& near,
+                                                    const LegTrig& near_trig) noexcept {
+  return by_kind(
+      leg, [&]<class Kind>(Kind) { return Kind::inverse_kinematics(leg, p_BF, near, near_trig); });
 }
 
 /// The same, near the nominal stance.

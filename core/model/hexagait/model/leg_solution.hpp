@@ -8,7 +8,7 @@
 namespace hexagait {
 
 /// Cosines and sines of one leg's angles: of a yaw-pitch-pitch leg the canonical k₁, k₂ and
-/// k₂ + k₃; of a serial leg its joint values q. Entries beyond the leg's joints are not used.
+/// k₂ + k₃; of a serial leg its joint values q. Entries beyond the leg's joints are 1 and 0.
 struct LegTrig {
   LegJoints c = LegJoints::Ones();
   LegJoints s = LegJoints::Zero();
@@ -32,11 +32,15 @@ concept LegKinematics = requires(const LegModel& leg, const LegJoints& q, const 
   noexcept->std::same_as<Vector3>;
   { Kind::foot_jacobian(leg, trig) }
   noexcept->std::same_as<LegJacobian>;
+  { Kind::foot_effort(leg, trig, p_BF) }
+  noexcept->std::same_as<LegJoints>;
   { Kind::tibia_rotation(leg, trig) }
   noexcept->std::same_as<Matrix3>;
   { Kind::tibia_turn(leg, trig, q) }
   noexcept->std::same_as<Vector3>;
   { Kind::inverse_kinematics(leg, p_BF, q) }
+  noexcept->std::same_as<LegSolution>;
+  { Kind::inverse_kinematics(leg, p_BF, q, trig) }
   noexcept->std::same_as<LegSolution>;
 };
 

@@ -179,6 +179,11 @@ LegJacobian SerialLeg::foot_jacobian(const LegModel& leg, const LegTrig& trig) n
   return foot_of(leg, trig).J;
 }
 
+LegJoints SerialLeg::foot_effort(const LegModel& leg, const LegTrig& trig,
+                                 const Vector3& force_B) noexcept {
+  return foot_of(leg, trig).J.transpose() * force_B;
+}
+
 Matrix3 SerialLeg::tibia_rotation(const LegModel& leg, const LegTrig& trig) noexcept {
   return for_each_joint(leg, trig, [](int, const Vector3&, const Vector3&) {}).R;
 }

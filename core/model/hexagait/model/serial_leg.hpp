@@ -21,6 +21,10 @@ struct SerialLeg {
   static Vector3 foot_position(const LegModel& leg, const LegTrig& trig) noexcept;
   static LegJacobian foot_jacobian(const LegModel& leg, const LegTrig& trig) noexcept;
 
+  /// Jᵀ F
+  static LegJoints foot_effort(const LegModel& leg, const LegTrig& trig,
+                               const Vector3& force_B) noexcept;
+
   /// R_1 … R_n: T is parallel to the body frame when all joints are at zero.
   static Matrix3 tibia_rotation(const LegModel& leg, const LegTrig& trig) noexcept;
 
@@ -48,6 +52,10 @@ struct SerialLeg {
   /// @pre 0 < min_reach <= max_reach, and q_nominal is within the limits
   static LegSolution inverse_kinematics(const LegModel& leg, const Vector3& p_BF,
                                         const LegJoints& near) noexcept;
+  static LegSolution inverse_kinematics(const LegModel& leg, const Vector3& p_BF,
+                                        const LegJoints& near, const LegTrig&) noexcept {
+    return inverse_kinematics(leg, p_BF, near);
+  }
 
   /// Bound on the iterations of one search.
   static constexpr int kMaxIterations = 60;

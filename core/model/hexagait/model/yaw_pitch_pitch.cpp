@@ -48,18 +48,73 @@ LegPlane leg_plane(const LegModel& leg, double x, double y) {
   return {q_limit, c1, s1, x * c1 + y * s1, on_axis};
 }
 
-bool inside(const JointLimits& limits, double q) { return limits.lower <= q && q <= limits.upper; }
+/// Are the three joints within their limits?
+bool inside(const LegModel& leg, const LegJoints& q) {
+  const auto inside = [&](int k) {
+    return leg.limits[k].lower <= q[k] && q[k] <= leg.limits[k].upper;
+  };
+  return inside(0) && inside(1) && inside(2);
+}
 
 /// Clamps the joints to their limits and updates the trig if that moved one.
 void limit(const LegModel& leg, LegSolution& solution) {
   LegJoints& q = solution.q;
-  if (inside(leg.limits[0], q[0]) && inside(leg.limits[1], q[1]) && inside(leg.limits[2], q[2]))
-    return;
+  if (inside(leg, q)) return;
   for (int i = 0; i < 3; ++i) {
     solution.reachable = solution.reachable && within(leg.limits[i], q[i]);
     q[i] = std::clamp(q[i], leg.limits[i].lower, leg.limits[i].upper);
   }
   solution.trig = YawPitchPitchLeg::leg_trig(leg, q);
+}
+
+/// Hip and knee of a leg whose foot is a outwards and b down from the hip-pitch axis, within its
+/// reach: the knee by the law of cosines, the hip by rotating the bent leg (A, B) onto (a, b).
+struct Bend {
+  double c2, s2, c3, s3;
+};
+
+Bend bend(const LegModel& leg, double a, double b) {
+  const double f = leg.femur, t = leg.tibia, d2 = a * a + b * b;
+  const double c3 = std::clamp((d2 - f * f - t * t) / (2.0 * f * t), -1.0, 1.0);
+  const double s3 = std::sqrt(1.0 - c3 * c3);
+  const double A = f + t * c3, B = t * s3;
+  return {(A * a + B * b) / d2, (A * b - B * a) / d2, c3, s3};
+}
+
+/// @param c, s  of the canonical yaw
+void set_trig(LegTrig& trig, double c, double s, const Bend& bend) {
+  const auto& [c2, s2, c3, s3] = bend;
+  trig.c.head<3>() << c, c2, c2 * c3 - s2 * s3;
+  trig.s.head<3>() << s, s2, s2 * c3 + c2 * s3;
+}
+
+// Canonical angles, and one that stays 0: processors compute them in pairs.
+using Angles = Eigen::Array4d;
+
+constexpr double kLittle = 0.125;  // tangent of half the angle by which joints turn little: 14°
+
+/// 2 atan u. For |u| ≤ kLittle, the rest of the series is below 3e-18 u.
+Angles twice_atan(const Angles& u) {
+  constexpr double k3 = -1.0 / 3, k5 = 1.0 / 5, k7 = -1.0 / 7, k9 = 1.0 / 9, k11 = -1.0 / 11;
+  constexpr double k13 = 1.0 / 13, k15 = -1.0 / 15, k17 = 1.0 / 17;
+  const Angles z = u * u;
+  const Angles tail =
+      z * (k3 + z * (k5 + z * (k7 + z * (k9 + z * (k11 + z * (k13 + z * (k15 + z * k17)))))));
+  return 2.0 * (u + u * tail);
+}
+
+/// Joint values of solution.trig, by how little they differ from those of `near`; false if they
+/// differ by more.
+bool turn_little(const LegModel& leg, const LegJoints& near, const LegTrig& near_trig,
+                 LegSolution& solution) {
+  const Angles c0 = near_trig.c.head<4>(), s0 = near_trig.s.head<4>();
+  const Angles c1 = solution.trig.c.head<4>(), s1 = solution.trig.s.head<4>();
+  const Angles u = (s1 * c0 - c1 * s0) / (1.0 + (c1 * c0 + s1 * s0));
+  if (!(u.abs() <= kLittle).all()) return false;
+  const Angles turn = twice_atan(u);
+  solution.q.head<3>() =
+      near.head<3>() + leg.joint_sign.cwiseProduct(Vector3(turn[0], turn[1], turn[2] - turn[1]));
+  return true;
 }
 
 }  // namespace
@@ -96,6 +151,20 @@ LegJacobian YawPitchPitchLeg::foot_jacobian(const LegModel& leg, const LegTrig& 
   return J;
 }
 
+LegJoints YawPitchPitchLeg::foot_effort(const LegModel& leg, const LegTrig& trig,
+                                        const Vector3& force_B) noexcept {
+  // In the leg's plane, outwards and up; and across it.
+  const Vector3 f = leg.X_BH.R.transpose() * force_B;
+  const double outwards = trig.c[0] * f.x() + trig.s[0] * f.y(), up = f.z();
+  const double across = trig.c[0] * f.y() - trig.s[0] * f.x();
+  const double r = leg.coxa + leg.femur * trig.c[1] + leg.tibia * trig.c[2];
+  const double knee = -leg.tibia * (trig.s[2] * outwards + trig.c[2] * up);
+  const double hip = knee - leg.femur * (trig.s[1] * outwards + trig.c[1] * up);
+  LegJoints effort = LegJoints::Zero();
+  effort.head<3>() = leg.joint_sign.cwiseProduct(Vector3(r * across, hip, knee));
+  return effort;
+}
+
 Matrix3 YawPitchPitchLeg::tibia_rotation(const LegModel& leg, const LegTrig& trig) noexcept {
   Matrix3 R_HT;
   R_HT << trig.c[0] * trig.c[2], -trig.s[0], trig.c[0] * trig.s[2],  //
@@ -129,21 +198,31 @@ LegSolution YawPitchPitchLeg::inverse_kinematics(const LegModel& leg, const Vect
     b = asked < kOnAxis ? d : b * (d / asked);
   }
 
-  // The knee by the law of cosines; the hip by rotating the bent leg (A, B) onto (a, b).
-  const double f = leg.femur, t = leg.tibia;
-  const double c3 = std::clamp((d * d - f * f - t * t) / (2.0 * f * t), -1.0, 1.0);
-  const double s3 = std::sqrt(1.0 - c3 * c3);
-  const double A = f + t * c3, B = t * s3;
-  const double c2 = (A * a + B * b) / (d * d), s2 = (A * b - B * a) / (d * d);
-
+  const Bend bent = bend(leg, a, b);
   LegSolution solution;
-  solution.q.head<3>() << plane.q, joint_value(leg, 1, portable::atan2(s2, c2)),
-      joint_value(leg, 2, portable::atan2(s3, c3));
-  solution.trig.c.head<3>() << plane.c, c2, c2 * c3 - s2 * s3;
-  solution.trig.s.head<3>() << plane.s, s2, s2 * c3 + c2 * s3;
+  solution.q.head<3>() << plane.q, joint_value(leg, 1, portable::atan2(bent.s2, bent.c2)),
+      joint_value(leg, 2, portable::atan2(bent.s3, bent.c3));
+  set_trig(solution.trig, plane.c, plane.s, bent);
   solution.reachable = plane.contains_foot && std::abs(d - asked) < kRounding;
   limit(leg, solution);
   return solution;
+}
+
+LegSolution YawPitchPitchLeg::inverse_kinematics(const LegModel& leg, const Vector3& p_BF,
+                                                 const LegJoints& near,
+                                                 const LegTrig& near_trig) noexcept {
+  const Vector3 p_HF = leg.X_BH.R.transpose() * (p_BF - leg.X_BH.p);
+  const double r = std::sqrt(p_HF.x() * p_HF.x() + p_HF.y() * p_HF.y());
+  const double a = r - leg.coxa, b = -p_HF.z(), d2 = a * a + b * b;
+  const bool usual =
+      r >= kOnAxis && d2 >= leg.min_reach * leg.min_reach && d2 <= leg.max_reach * leg.max_reach;
+  if (usual) {
+    LegSolution solution;
+    set_trig(solution.trig, p_HF.x() / r, p_HF.y() / r, bend(leg, a, b));
+    solution.reachable = true;
+    if (turn_little(leg, near, near_trig, solution) && inside(leg, solution.q)) return solution;
+  }
+  return inverse_kinematics(leg, p_BF, near);
 }
 
 }  // namespace hexagait

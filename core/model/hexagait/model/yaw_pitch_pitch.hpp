@@ -18,6 +18,12 @@ struct YawPitchPitchLeg {
   /// Singular where r = 0, and where the knee is straight or folded.
   static LegJacobian foot_jacobian(const LegModel& leg, const LegTrig& trig) noexcept;
 
+  /// With the force (f_r, f_t, f_z) in the leg's plane, across it and upwards:
+  ///
+  ///     τ₃ = −tibia (s₂₃ f_r + c₂₃ f_z),   τ₂ = τ₃ − femur (s₂ f_r + c₂ f_z),   τ₁ = r f_t
+  static LegJoints foot_effort(const LegModel& leg, const LegTrig& trig,
+                               const Vector3& force_B) noexcept;
+
   /// R_BT of the tibia frame T: x from the knee to the foot, y along the canonical pitch axis.
   static Matrix3 tibia_rotation(const LegModel& leg, const LegTrig& trig) noexcept;
 
@@ -41,6 +47,13 @@ struct YawPitchPitchLeg {
   /// @pre 0 < min_reach <= max_reach < femur + tibia, and min_reach > |femur − tibia|
   static LegSolution inverse_kinematics(const LegModel& leg, const Vector3& p_BF,
                                         const LegJoints& near) noexcept;
+
+  /// Where the foot is within reach and no angle k differs by more than 14° from the one k' of
+  /// `near`, without an arcus tangent of it:
+  ///
+  ///     k = k' + 2 atan u,   u = (s c' − c s') / (1 + c c' + s s')
+  static LegSolution inverse_kinematics(const LegModel& leg, const Vector3& p_BF,
+                                        const LegJoints& near, const LegTrig& near_trig) noexcept;
 };
 
 static_assert(LegKinematics<YawPitchPitchLeg>);
