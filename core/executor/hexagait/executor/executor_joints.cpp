@@ -113,7 +113,8 @@ void Executor::set_efforts(const RobotState& state, double dt) noexcept {
       if (targets_.mode[i] == ControlMode::effort) efforts.effort[i].setZero();
       if (legs_[i].on_ground() && solved) targets_.mode[i] = ControlMode::effort;
     }
-    add_planned_efforts(i, efforts.effort[i], state, dt);
+    const bool planned = legs_[i].phase == LegPhase::follow || !is_zero(planned_effort_[i]);
+    if (planned) add_planned_efforts(i, efforts.effort[i], state, dt);
     set_effort(i, efforts.effort[i]);
   }
 }
@@ -121,9 +122,8 @@ void Executor::set_efforts(const RobotState& state, double dt) noexcept {
 // Efforts that a plan adds are ramped.
 void Executor::add_planned_efforts(LegId leg, LegJoints& effort, const RobotState& state,
                                    double dt) noexcept {
-  LegJoints& planned = planned_effort_[leg];
-  if (legs_[leg].phase != LegPhase::follow && is_zero(planned)) return;
   const LegJoints wish = planned_effort(leg, state);
+  LegJoints& planned = planned_effort_[leg];
   if (is_zero(wish) && is_zero(planned)) return;
   for (int k = 0; k < model_->legs[leg].num_joints(); ++k) {
     const double limit = model_->legs[leg].limits[k].effort, most = limit * dt / kEffortRamp;
@@ -139,10 +139,10 @@ void Executor::set_effort(LegId leg, const LegJoints& effort) noexcept {
     failed_ = true;
     return;
   }
-  for (int k = 0; k < model_->legs[leg].num_joints(); ++k) {
-    const double limit = model_->legs[leg].limits[k].effort;
-    targets_.effort[leg][k] = std::clamp(effort[k], -limit, limit);
-  }
+  const JointArray<JointLimits>& limits = model_->legs[leg].limits;
+  LegJoints& target = targets_.effort[leg];
+  for (int k = 0; k < limits.size(); ++k)
+    target[k] = std::clamp(effort[k], -limits[k].effort, limits[k].effort);
 }
 
 LegJoints Executor::planned_effort(LegId leg, const RobotState& state) const noexcept {

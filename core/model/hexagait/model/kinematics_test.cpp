@@ -178,6 +178,18 @@ TEST(FootJacobian, IsTheDerivativeOfTheFootAndThatOfKdl) {
   }
 }
 
+TEST(FootEffort, IsTheForceThroughTheJacobian) {
+  RandomSequence random{.seed = 22};
+  for (int k = 0; k < 1000; ++k) {
+    LegModel leg = random_leg(random);
+    if (k % 2 == 1) leg.kind = LegKind::serial;
+    const LegTrig trig = leg_trig(leg, random_joints(leg, random));
+    const Vector3 force(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    const LegJoints expected = foot_jacobian(leg, trig).transpose() * force;
+    ASSERT_LT((foot_effort(leg, trig, force) - expected).norm(), 1e-15) << k;
+  }
+}
+
 // 3-4-5: the foot straight below the hip-pitch axis, 0.5 m. The knee is square, and the femur is
 // turned down by the angle between hypotenuse and 0.3 less than 90°: atan(3/4).
 TEST(InverseKinematics, SolvesTheThreeFourFiveTriangle) {
@@ -206,6 +218,45 @@ TEST(InverseKinematics, UndoesForwardKinematics) {
     ++solved;
   }
   EXPECT_GT(solved, 1500);
+}
+
+// A foot that moves little or much: from any other solution, the joints are those found without one.
+TEST(InverseKinematics, FromTheLastSolutionIsTheSame) {
+  RandomSequence random{.seed = 21};
+  int reached = 0;
+  for (int k = 0; k < 3000; ++k) {
+    const LegModel leg = random_leg(random);
+    const LegJoints near = random_joints(leg, random);
+    const double most = std::pow(10.0, random.uniform(-6.0, 0.5));
+    LegJoints q = near;
+    for (int i = 0; i < 3; ++i) q[i] += random.uniform(-most, most);
+    const Vector3 p_BF = foot_position(leg, q);
+    const LegSolution expected = inverse_kinematics(leg, p_BF);
+    const LegSolution found = inverse_kinematics(leg, p_BF, near, leg_trig(leg, near));
+    ASSERT_EQ(found.reachable, expected.reachable) << k;
+    ASSERT_LT((found.q - expected.q).norm(), 1e-12) << k;
+    ASSERT_LT((found.trig.c - expected.trig.c).norm(), 1e-13) << k;
+    ASSERT_LT((found.trig.s - expected.trig.s).norm(), 1e-13) << k;
+    reached += expected.reachable;
+  }
+  EXPECT_GT(reached, 1500);
+}
+
+// Once round an ellipse, 20 000 times: each solution starts from the one before. Rounding errors of
+// some 1e-15 rad a tick add up as those of a random walk do, to 1e-15 · √2e6 = 1.4e-12; here is three
+// times that.
+TEST(InverseKinematics, GoesOnFromTheLastSolutionForManyTicks) {
+  const LegModel leg = plain_leg();
+  LegSolution last = inverse_kinematics(leg, {0.45, 0.0, -0.25});
+  for (int k = 0; k < 2'000'000; ++k) {
+    const double x = 0.02 * kPi * k;
+    const Vector3 p_BF(0.45 + 0.05 * std::cos(x), 0.08 * std::sin(x), -0.25 + 0.05 * std::sin(x));
+    last = inverse_kinematics(leg, p_BF, last.q, last.trig);
+    if (k % 1000 != 0) continue;
+    const LegSolution expected = inverse_kinematics(leg, p_BF);
+    ASSERT_TRUE(last.reachable);
+    ASSERT_LT((last.q - expected.q).norm(), 4.2e-12) << k;
+  }
 }
 
 // Any point in a ball larger than the leg: "reachable" and "the foot is there" are the same, the

@@ -73,7 +73,7 @@ struct Bend {
   double c2, s2, c3, s3;
 };
 
-Bend bend(const LegModel& leg, double a, double b) {
+inline Bend bend(const LegModel& leg, double a, double b) {
   const double f = leg.femur, t = leg.tibia, d2 = a * a + b * b;
   const double c3 = std::clamp((d2 - f * f - t * t) / (2.0 * f * t), -1.0, 1.0);
   const double s3 = std::sqrt(1.0 - c3 * c3);
