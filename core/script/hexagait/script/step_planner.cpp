@@ -27,6 +27,12 @@ LegSet lifted_by(const action::Step& step) {
   return legs;
 }
 
+// Legs without which a BaseAuto of `step` must stand: those that it lifts, or else the next step.
+LegSet lifted_from(const action::Step& step, const action::Step* next) {
+  const LegSet lifted = lifted_by(step);
+  return lifted.empty() && next ? lifted_by(*next) : lifted;
+}
+
 LegSet ignored_by(const action::Step& step) {
   LegSet legs;
   for (const action::LegCommand& command : step.legs)
@@ -52,6 +58,12 @@ double mean_height(const StanceProblem& problem) {
   for (LegId i = 0; i < problem.p_OF.size(); ++i)
     if (problem.reach.contains(i)) sum += problem.p_OF[i].z();
   return problem.reach.empty() ? 0.0 : sum / problem.reach.size();
+}
+
+// Have the problems the same answer, wherever the base is?
+bool is_same(const StanceProblem& a, const StanceProblem& b) {
+  return a.reach == b.reach && a.support == b.support && a.height == b.height &&
+         a.margin == b.margin && std::ranges::equal(a.p_OF, b.p_OF);
 }
 
 // Duration of a BaseTarget or BaseAuto from one pose to another, by its rates [s].
@@ -260,9 +272,8 @@ StanceProblem StepPlanner::stance_problem(const action::BaseAuto& command, LegSe
 
 Pose StepPlanner::best_stance(const action::BaseAuto& command, const action::Step& step,
                               const action::Step* next, const StepStart& start) noexcept {
-  LegSet lifted = lifted_by(step);
-  if (lifted.empty() && next) lifted = lifted_by(*next);
-  const StanceProblem problem = stance_problem(command, lifted, ignored_by(step), start);
+  const StanceProblem problem =
+      stance_problem(command, lifted_from(step, next), ignored_by(step), start);
   plan_.stance = params_.stance(start.model, problem);
   const double height = plan_.stance.X_OB.p.z() - mean_height(problem);
   const bool too_high = problem.height > height + kHeightLost;
@@ -289,7 +300,7 @@ Twist StepPlanner::end_twist(const action::Step& step, const action::Step* next,
   if (longest > end.time + kTimeTolerance) return {};
   const std::size_t n = base_knots_.size();
   const BaseKnot before = n > 1 ? base_knots_[n - 2] : BaseKnot{0.0, from};
-  const BaseKnot after = first_goal(*next, end, start);
+  const BaseKnot after = first_goal(*next, step, end, start);
   if (!(end.time > before.time) || !(after.time > 0.0)) return {};
 
   const Matrix3 R_EO = end.X_AB.R.transpose();
@@ -300,9 +311,10 @@ Twist StepPlanner::end_twist(const action::Step& step, const action::Step* next,
                   rotation_vector(R_EO * after.X_AB.R) / after.time)};
 }
 
-// The first pose of the base in a step and its time, as far as they are known in advance.
-BaseKnot StepPlanner::first_goal(const action::Step& step, const BaseKnot& from,
-                                 const StepStart& start) const noexcept {
+// The first pose of the base in a step and its time, as far as they are known in advance. The base
+// stays if the step before asks for the same stance.
+BaseKnot StepPlanner::first_goal(const action::Step& step, const action::Step& before,
+                                 const BaseKnot& from, const StepStart& start) const noexcept {
   // Poses in the body frame are relative to where the body will be then.
   const auto in_odom = [&from, &start](FrameId frame) {
     const Placement place = start.step_frames.place(frame, start.frames, start.state);
@@ -319,7 +331,10 @@ BaseKnot StepPlanner::first_goal(const action::Step& step, const BaseKnot& from,
   const auto& automatic = *std::get_if<action::BaseAuto>(&step.base->motion);
   StanceProblem problem = stance_problem(automatic, lifted_by(step), ignored_by(step), start);
   problem.X_OB = from.X_AB;
-  const Pose X_OB = params_.stance(start.model, problem).X_OB;
+  const auto* now = std::get_if<action::BaseAuto>(&before.base->motion);
+  const bool stays = now && is_same(problem, stance_problem(*now, lifted_from(before, &step),
+                                                            ignored_by(before), start));
+  const Pose X_OB = stays ? from.X_AB : params_.stance(start.model, problem).X_OB;
   return {duration_of(automatic, from.X_AB, X_OB, params_.min_base_auto_duration), X_OB};
 }
 

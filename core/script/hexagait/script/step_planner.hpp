@@ -61,8 +61,8 @@ class StepPlanner {
                                              LegSet ignored, const StepStart& start) const noexcept;
   [[nodiscard]] Twist end_twist(const action::Step& step, const action::Step* next,
                                 const StepStart& start, const Pose& from) const noexcept;
-  [[nodiscard]] BaseKnot first_goal(const action::Step& step, const BaseKnot& from,
-                                    const StepStart& start) const noexcept;
+  [[nodiscard]] BaseKnot first_goal(const action::Step& step, const action::Step& before,
+                                    const BaseKnot& from, const StepStart& start) const noexcept;
 
   PlannerParams params_;
   StepPlan plan_;
