@@ -55,6 +55,13 @@ TEST(PlanarPose, TimesItsInverseIsTheIdentity) {
   EXPECT_NEAR(identity.shift.norm(), 0.0, 1e-15);
 }
 
+TEST(PlanarPose, FromAnotherIsSeenThroughItsInverse) {
+  const PlanarPose a{0.7, {0.3, -2.0}}, b{-0.4, {1.1, 0.6}};
+  const PlanarPose seen = between(a, b), expected = a.inverse() * b;
+  EXPECT_NEAR(seen.angle, expected.angle, 1e-15);
+  EXPECT_NEAR((seen.shift - expected.shift).norm(), 0.0, 1e-15);
+}
+
 TEST(Rotation, IsUndoneByItsVector) {
   RandomSequence random{.seed = 2};
   for (int k = 0; k < 1000; ++k) {

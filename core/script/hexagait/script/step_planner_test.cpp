@@ -19,10 +19,12 @@ using testing::wait;
 
 constexpr double kUnload = 0.04;  // SwingParams::unload_time
 
-// What BaseAuto asked of its strategy last, which leaves the base where it is.
+// What BaseAuto asked of its strategy last, which leaves the base where it is, and how often.
 StanceProblem asked;
+int times_asked = 0;
 StancePose stay(const RobotModel&, const StanceProblem& problem) {
   asked = problem;
+  ++times_asked;
   StancePose stance;
   stance.X_OB = problem.X_OB;
   return stance;
@@ -156,6 +158,29 @@ TEST(BaseAuto, PreparesForTheLegsOfTheNextStep) {
   EXPECT_EQ(asked.reach, LegSet::all(6)) << "it stands there still";
   (void)scene.plan(step(action::BaseAuto{}, {{footstep(0, scene.robot.foot(0)), {}}}), &next);
   EXPECT_EQ(asked.support, LegSet(0b111110));
+}
+
+// Whether the base moves on depends on where the next step wants it: where it is then already, if it
+// stands on the same legs, as high and as safely.
+TEST(BaseAuto, IsAskedOnceIfTheNextStepWantsTheSame) {
+  Scene scene;
+  const action::BaseAuto now = testing::base_auto(0.31);
+  const auto times = [&](const action::BaseAuto& next,
+                         const std::vector<action::LegCommand>& legs = {}) {
+    const action::Step then = step(next, legs);
+    times_asked = 0;
+    (void)scene.plan(step(now), &then);
+    return times_asked;
+  };
+  EXPECT_EQ(times(now), 1);
+  EXPECT_EQ(times(now, {{footstep(5, scene.robot.foot(5)), {}}}), 1) << "which it prepares for";
+  EXPECT_EQ(times(testing::base_auto(0.33)), 2);
+  action::BaseAuto safer = now;
+  safer.support_margin = 0.05;
+  EXPECT_EQ(times(safer), 2);
+  action::Footstep ignored = footstep(3, scene.robot.foot(3));
+  ignored.ignore_for_pose_adaptation = true;
+  EXPECT_EQ(times(now, {{ignored, {}}}), 2) << "one foot less to reach";
 }
 
 // Neither given nor known before: as high as it stands. The last one's afterwards.
