@@ -69,10 +69,15 @@ constexpr double kNoiseFactor = 5.0;
 // The noise is the mean over some so many samples.
 constexpr double kNoiseShare = 0.01;
 
+// A foot in the body, and where it touched down in odom: a row each, computed together [m].
+using NowAndThen = Eigen::Array<double, 2, 3>;
+
 // Squared change of the distance between two feet since they touched down [m²].
-double change2(const Vector3& now, const Vector3& then) {
-  const double now2 = now.squaredNorm(), then2 = then.squaredNorm();
-  return (now2 - then2) * (now2 - then2) / (4.0 * then2);  // now² − then² ≈ 2 · distance · change
+double change2(const NowAndThen& a, const NowAndThen& b) {
+  const NowAndThen way2 = (a - b).square();
+  const Eigen::Array2d distance2 = way2.col(0) + way2.col(1) + way2.col(2);
+  const double change = distance2[0] - distance2[1];  // ≈ 2 · distance · change of distance
+  return change * change / (4.0 * distance2[1]);
 }
 
 // The k smallest of the values that were added, in order.
@@ -102,17 +107,21 @@ class SmallestChanges {
 LegArray<double> without_sliding(const LegArray<double>& footing, const LegArray<Vector3>& p_BF,
                                  const LegArray<Vector3>& anchor_O, double tolerance2) {
   std::array<LegId, kMaxLegs> standing{};
+  std::array<NowAndThen, kMaxLegs> place;
   std::size_t m = 0;
-  for (LegId i = 0; i < p_BF.size(); ++i)
-    if (footing[i] > 0.0) standing[m++] = i;
+  for (LegId i = 0; i < p_BF.size(); ++i) {
+    if (footing[i] <= 0.0) continue;
+    place[m].row(0) = p_BF[i];
+    place[m].row(1) = anchor_O[i];
+    standing[m++] = i;
+  }
   if (m < 2) return footing;
 
   std::array<SmallestChanges, kMaxLegs> change;  // of each foot to the others
   for (std::size_t a = 0; a < m; ++a) change[a].keep(m / 2);
   for (std::size_t a = 0; a < m; ++a) {
     for (std::size_t b = 0; b < a; ++b) {
-      const LegId i = standing[a], j = standing[b];
-      const double both = change2(p_BF[i] - p_BF[j], anchor_O[i] - anchor_O[j]);
+      const double both = change2(place[a], place[b]);
       change[a].add(both);
       change[b].add(both);
     }
@@ -190,9 +199,9 @@ Pose Odometry::pose_over_feet(const RobotState& state) const {
 
 void Odometry::update(RobotState& state, const LegArray<double>& footing, double dt) noexcept {
   const int n = model_->num_legs();
-  const Vector3 up_B = X_OB_.R.row(2);
+  const Vector3 rotation_B = state.V_B.w * dt;
   for (LegId i = 0; i < n; ++i)
-    if (footing[i] > 0.0) roll(state, i, state.V_B.w * dt, up_B);
+    if (footing[i] > 0.0) roll(state, i, rotation_B);
 
   measure_noise(state, footing);
   const LegArray<double> trust =
@@ -231,11 +240,10 @@ double Odometry::slide_tolerance2() const noexcept {
 }
 
 // (odometry 2), over one tick.
-void Odometry::roll(RobotState& state, LegId leg, const Vector3& rotation_B,
-                    const Vector3& up_B) noexcept {
-  const Vector3 tibia_turn_B =
-      rotation_B + tibia_turn(model_->legs[leg], trig_before_[leg], state.q[leg] - q_before_[leg]);
-  anchor_O_[leg] += X_OB_.R * tibia_turn_B.cross(model_->foot_radius * up_B);
+void Odometry::roll(const RobotState& state, LegId leg, const Vector3& rotation_B) noexcept {
+  const Vector3 turn_O = X_OB_.R * (rotation_B + tibia_turn(model_->legs[leg], trig_before_[leg],
+                                                            state.q[leg] - q_before_[leg]));
+  anchor_O_[leg].head<2>() += model_->foot_radius * Vector2(turn_O.y(), -turn_O.x());
 }
 
 }  // namespace hexagait

@@ -49,7 +49,7 @@ class Odometry {
   [[nodiscard]] Pose pose_over_feet(const RobotState& state) const;
   void measure_noise(const RobotState& state, const LegArray<double>& footing) noexcept;
   [[nodiscard]] double slide_tolerance2() const noexcept;
-  void roll(RobotState& state, LegId leg, const Vector3& rotation_B, const Vector3& up_B) noexcept;
+  void roll(const RobotState& state, LegId leg, const Vector3& rotation_B) noexcept;
 
   const RobotModel* model_;
   LegArray<Vector3> anchor_O_;    ///< footholds [m]
