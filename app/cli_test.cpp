@@ -224,7 +224,7 @@ TEST_F(Cli, RunsAnExperimentOnAnotherPlantAndJudgesNoClaim) {
       run("experiment fig9 --short --plant real --friction 0.5 --out results --quiet");
   EXPECT_EQ(result.status, 0);
   EXPECT_THAT(result.out, AllOf(HasSubstr("not judged: it is a claim about the ideal plant"),
-                                HasSubstr("falls: 0")));
+                                HasSubstr("walks that fell: 0 %")));
   const auto manifest = nlohmann::json::parse(content(here() / "results/fig9/manifest.json"));
   EXPECT_EQ(manifest["plant"]["name"], "real+friction:0.5");
   EXPECT_EQ(manifest["configuration"]["plant"], manifest["plant"]);
