@@ -45,8 +45,13 @@ TEST_F(Cli, RefusesPlantsThatAreNoneAndTellsAllAtOnce) {
            "--sensing-delay is '2s'; it must be a time from 0 to 1 s"});
   refuses("walk --plant real+frction:1", {"--plant", "did you mean 'friction'?"});
   refuses("walk --servo hobby", {"--servo", "'hobby'", "position_only"});
+  refuses("run nod --velocity-limits none", {"--velocity-limits", "'none'", "off or on"});
   refuses("run nod --mass-error 2", {"--mass-error is '2'", "0.9"});
   refuses("run nod --servo position-only --controller virtual_model", {"--servo", "--controller"});
+  for (const char* name : {"table1", "fg16_fig6", "sensitivity", "all"})
+    refuses(std::string("experiment ") + name + " --plant real",
+            {"the plant is 'real'", "take a plant", "fig9, fig10, wave_family, walks, rates"});
+  refuses("experiment walks --joint-noise -1mrad", {"--joint-noise is '-1mrad'"});
   refuses("walk --robot genghis2d --friction 0.4", {"--plant", "genghis2d"});
 }
 

@@ -101,6 +101,8 @@ TEST_F(Cli, WalksWithAnImperfectPlantAndTellsIt) {
   EXPECT_EQ(real["mass_error"], 0.1);
   EXPECT_EQ(real["contact_bounce_s"], 0.004);
   EXPECT_EQ(plant(walk + " --servo position-only")["positions_only"], true);
+  EXPECT_EQ(plant(walk)["velocity_limits"], true);
+  EXPECT_EQ(plant(walk + " --velocity-limits off")["velocity_limits"], false);
   EXPECT_EQ(plant("run nod --plant real")["name"], "real");
   const auto hash = [this](const std::string& command) {
     return nlohmann::json::parse(run(command + " --json --quiet").out)["state_hash"];
@@ -214,6 +216,20 @@ TEST_F(Cli, MakesAFigureAndSaysWhichClaimsHoldAndWhyOneDoesNot) {
   EXPECT_EQ(manifest["verdicts"][3]["holds"], false);
   EXPECT_FALSE(manifest["verdicts"][3]["checks"][0]["why_not"].get<std::string>().empty());
   EXPECT_FALSE(manifest.contains("results")) << "it is no walk";
+}
+
+// Claims are made for the ideal plant.
+TEST_F(Cli, RunsAnExperimentOnAnotherPlantAndJudgesNoClaim) {
+  const Result result =
+      run("experiment fig9 --short --plant real --friction 0.5 --out results --quiet");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(result.out, AllOf(HasSubstr("not judged: it is a claim about the ideal plant"),
+                                HasSubstr("walks that fell: 0 %")));
+  const auto manifest = nlohmann::json::parse(content(here() / "results/fig9/manifest.json"));
+  EXPECT_EQ(manifest["plant"]["name"], "real+friction:0.5");
+  EXPECT_EQ(manifest["configuration"]["plant"], manifest["plant"]);
+  EXPECT_EQ(manifest["verdicts"][0]["holds"], nlohmann::json());
+  EXPECT_THAT(content(here() / "results/fig9/fig9.gp"), HasSubstr("plant real+friction:0.5"));
 }
 
 TEST_F(Cli, MakesAPageOfResultsWithEachFigureItsBoundAndItsCommand) {

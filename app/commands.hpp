@@ -7,6 +7,7 @@
 
 #include "action_input.hpp"
 #include "arguments.hpp"
+#include "plant_options.hpp"
 
 /// The sub-commands: each prints its result on stdout and returns the exit status.
 namespace hexagait::app {
@@ -33,6 +34,7 @@ struct ExperimentArguments {
   std::string title = "auto";  ///< of the figures; or none
   std::string jobs;            ///< empty: one per core
   bool list = false, short_form = false, json = false, quiet = false;
+  PlantArguments plant;
 };
 
 /// `hexagait experiment`: 0 if each claim holds, or fails as it was declared to. @throws InvalidInput

@@ -34,6 +34,24 @@ std::vector<Experiment> chosen(const std::string& name) {
                                  did_you_mean(name, names), fmt::join(names, ", ")));
 }
 
+// The plant that was typed, if all of these experiments walk on it.
+recording::PlantSetup plant_for(const std::vector<Experiment>& selection,
+                                const PlantArguments& arguments) {
+  const recording::PlantSetup setup = plant(arguments);
+  if (setup.is_ideal()) return setup;
+  for (const Experiment& experiment : selection) {
+    if (experiment.takes_plant) continue;
+    std::vector<std::string> others;
+    for (const Experiment& other : experiments::experiments())
+      if (other.takes_plant) others.push_back(other.name);
+    throw InvalidInput(
+        fmt::format("the plant is '{}', but {} doesn't walk in 3D or has plants of its own; those "
+                    "that take a plant are {}",
+                    setup.name, experiment.name, fmt::join(others, ", ")));
+  }
+  return setup;
+}
+
 void print(const Manifest& manifest, const std::filesystem::path& out) {
   print_out(fmt::format("{}\n", manifest.title));
   for (const experiments::Verdict& verdict : manifest.outcome.verdicts) {
@@ -48,6 +66,7 @@ void print(const Manifest& manifest, const std::filesystem::path& out) {
 int experiment_command(const ExperimentArguments& arguments) {
   if (arguments.list || arguments.name.empty()) return list_command("experiments", arguments.json);
   const std::vector<Experiment> selection = chosen(arguments.name);
+  const recording::PlantSetup plant = plant_for(selection, arguments.plant);
   const RobotModel robot = load_urdf(robot_file("argos"));
   figures::require_gnuplot();
   const std::atomic<bool>& interrupted = watch_interrupts();
@@ -62,7 +81,8 @@ int experiment_command(const ExperimentArguments& arguments) {
                                .stop = &interrupted,
                                .short_form = arguments.short_form,
                                .titles = arguments.title != "none",
-                               .jobs = jobs(arguments.jobs, cores())},
+                               .jobs = jobs(arguments.jobs, cores()),
+                               .plant = plant},
                               arguments.out));
     });
     if (!problem.empty())

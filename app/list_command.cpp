@@ -108,7 +108,11 @@ List plants() {
     list.json.push_back(
         {{"name", number.name}, {"meaning", number.meaning}, {"value", expected(number)}});
   }
-  list.text += fmt::format("{:<20} What servos take: ideal or position_only\n", recording::kServo);
+  for (const recording::PlantSwitch& one : recording::plant_switches()) {
+    const std::string words = fmt::format("{} or {}", one.words[0], one.words[1]);
+    list.text += fmt::format("{:<20} {}: {}\n", one.name, one.meaning, words);
+    list.json.push_back({{"name", one.name}, {"meaning", one.meaning}, {"value", words}});
+  }
   return list;
 }
 

@@ -25,7 +25,9 @@ void add_experiment(CLI::App& app, ExperimentArguments& a) {
       app.add_subcommand("experiment", "Make a figure of a paper again, and test its claims");
   experiment->footer(
       "\nWithout a name it lists the experiments; all of them take some twenty minutes.\n\n"
-      "Examples:\n  hexagait experiment fig9 --out results\n  hexagait experiment all --short\n\n"
+      "On another plant than the ideal one no claim is judged; what was measured is told.\n\n"
+      "Examples:\n  hexagait experiment fig9 --out results\n  hexagait experiment all --short\n"
+      "  hexagait experiment walks --plant real\n\n"
       "Exit status: 0 every claim holds, or fails within the band that is declared for it; 1 one\n"
       "does not, or holds unexpectedly; 2 bad usage or input; 130 Ctrl-C. `all` also writes "
       "index.html, a page that shows them.");
@@ -44,6 +46,7 @@ void add_experiment(CLI::App& app, ExperimentArguments& a) {
                        "Some seconds each; claims that need the full length are not judged");
   experiment->add_flag("--json", a.json, "Print the verdicts as one JSON object");
   experiment->add_flag("--quiet", a.quiet, "No progress on stderr");
+  add_plant(*experiment, a.plant);
 }
 
 void add_results(CLI::App& app, ResultsArguments& a) {

@@ -58,10 +58,9 @@ void add_plant(CLI::App& command, PlantArguments& a) {
         .add_option(option(number.name), a.values[number.name],
                     fmt::format("{}; {}", number.meaning, recording::expected(number)))
         ->type_name(type_name(number.unit));
-  command
-      .add_option("--servo", a.values[recording::kServo],
-                  "ideal, or position-only: without velocities and efforts fed forward")
-      ->type_name("KIND");
+  for (const recording::PlantSwitch& one : recording::plant_switches())
+    command.add_option(option(one.name), a.values[one.name], one.meaning)
+        ->type_name(fmt::format("{}|{}", one.words[0], one.words[1]));
   group(command, "Imperfect robot, sensors and ground");
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -129,6 +130,16 @@ Verdict judged_in_full_only(Verdict verdict, bool short_form) {
 std::vector<Verdict> judged_in_full_only(std::vector<Verdict> verdicts, bool short_form) {
   for (Verdict& verdict : verdicts) verdict = judged_in_full_only(std::move(verdict), short_form);
   return verdicts;
+}
+
+Verdict only_told(Verdict verdict, std::string why) {
+  std::vector<std::string> told;
+  for (const SafetyCheck& safe : verdict.safety) told.push_back(to_string(safe.check().measured()));
+  for (const Check& check : verdict.checks) told.push_back(to_string(check.measured()));
+  if (!verdict.remark.empty()) told.push_back(verdict.remark);
+  return {.claim = verdict.claim,
+          .remark = fmt::format("{}", fmt::join(told, "; ")),
+          .not_judged = std::move(why)};
 }
 
 }  // namespace hexagait::experiments

@@ -116,7 +116,7 @@ struct Verdict {
   std::vector<SafetyCheck> safety = {};
   std::vector<Check> checks = {};
   std::string remark = {};      ///< what else was seen; decides nothing
-  std::string not_judged = {};  ///< why the checks (not safety) are not judged, in a short form
+  std::string not_judged = {};  ///< why the checks (not safety) are not judged
 
   [[nodiscard]] bool holds() const;
   /// It holds, or fails as it was declared to.
@@ -132,5 +132,10 @@ struct Verdict {
 [[nodiscard]] Verdict judged_in_full_only(Verdict verdict, bool short_form);
 [[nodiscard]] std::vector<Verdict> judged_in_full_only(std::vector<Verdict> verdicts,
                                                        bool short_form);
+
+/// The claim where it was not made, as on another plant: nothing is judged, safety neither, and what
+/// was measured is a remark.
+/// @param why  one clause, no full stop
+[[nodiscard]] Verdict only_told(Verdict verdict, std::string why);
 
 }  // namespace hexagait::experiments

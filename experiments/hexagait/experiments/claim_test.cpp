@@ -132,13 +132,27 @@ TEST(Verdict, OfAShortFormIsNotJudgedButForSafety) {
   EXPECT_FALSE(shorter.is_accounted_for());
 }
 
+TEST(Verdict, OfAnotherPlantTellsWhatWasMeasuredAndJudgesNothing) {
+  const Verdict told = only_told({.claim = "It goes",
+                                  .safety = {{{"falls", "", 1.0}, exactly(0.0)}},
+                                  .checks = {speed(0.1, at_least(0.2))},
+                                  .remark = "it limps"},
+                                 "it is a claim about the ideal plant");
+  EXPECT_EQ(told.word(), "not judged");
+  EXPECT_FALSE(told.holds());
+  EXPECT_TRUE(told.is_accounted_for());
+  EXPECT_THAT(told.lines().front(), HasSubstr("it is a claim about the ideal plant"));
+  EXPECT_THAT(told.lines().back(),
+              AllOf(HasSubstr("falls: 1"), HasSubstr("0.1"), HasSubstr("it limps")));
+}
+
 TEST(Measured, SaysHowWellAProportionIsKnown) {
   EXPECT_EQ(to_string(Measured("all arrive", statistics::proportion(20, 20))),
             "all arrive: 100 % (20 of 20; 95 %: 83.89 to 100 %)");
   EXPECT_EQ(to_string(Measured("speed", "m/s", kNaN)), "speed: not measured");
 }
 
-// Only a short form may leave a claim unjudged, and an experiment without claims shows nothing.
+// Only a short form, or another plant, may leave a claim unjudged, and an experiment without claims shows nothing.
 TEST(Manifest, IsAccountedForIfEachOfItsClaimsIs) {
   Manifest manifest;
   EXPECT_FALSE(manifest.is_accounted_for());
@@ -147,6 +161,9 @@ TEST(Manifest, IsAccountedForIfEachOfItsClaimsIs) {
   manifest.outcome.verdicts.front().not_judged = "some reason";
   EXPECT_FALSE(manifest.is_accounted_for());
   manifest.short_form = true;
+  EXPECT_TRUE(manifest.is_accounted_for());
+  manifest.short_form = false;
+  manifest.plant = recording::parse_plant("real");
   EXPECT_TRUE(manifest.is_accounted_for());
 }
 

@@ -21,6 +21,10 @@ Manifest run(const Experiment& experiment, const ExperimentContext& context, con
   figures::StagedFiles files(directory);
   Manifest manifest{
       experiment.name, experiment.title, context.short_form, experiment.run(context, files), {}};
+  manifest.plant = context.plant;
+  if (!context.plant.is_ideal())
+    for (Verdict& verdict : manifest.outcome.verdicts)
+      verdict = only_told(std::move(verdict), "it is a claim about the ideal plant");
   const Outcome& outcome = manifest.outcome;
   manifest.provenance = outcome.walk ? recording::provenance(outcome.walk->robot, *context.robot,
                                                              outcome.walk->simulation)

@@ -18,6 +18,7 @@ struct ExperimentContext {
   bool short_form = false;  ///< some seconds; claims that need more are not judged, and say so
   bool titles = true;       ///< above the figures
   int jobs = 1;             ///< worker processes, where an experiment has some
+  recording::PlantSetup plant = {};  ///< of the walks; claims are made for the ideal one
 
   /// Whether it is to end early.
   [[nodiscard]] bool stopped() const { return stop != nullptr && stop->load(); }
@@ -30,7 +31,8 @@ struct ExperimentContext {
   [[nodiscard]] figures::Figure figure(const std::string& stem, int width, int height,
                                        const std::string& headline,
                                        const std::string& subtitle) const {
-    return {stem, "", titles ? headline : "", titles ? subtitle : "", width, height};
+    const std::string of_plant = plant.is_ideal() ? "" : " · plant " + plant.name;
+    return {stem, "", titles ? headline : "", titles ? subtitle + of_plant : "", width, height};
   }
 };
 
@@ -39,6 +41,7 @@ struct Experiment {
   std::string name;   ///< of the command, and of the files' stem
   std::string title;  ///< one line
   Outcome (*run)(const ExperimentContext& context, figures::StagedFiles& files);
+  bool takes_plant = false;  ///< its walks are on ExperimentContext::plant
 };
 
 /// Runs one into a directory of its name in `out`, which is made: figures, tables, manifest.json.

@@ -62,9 +62,10 @@ Json settings_json(const Outcome& outcome) {
 }  // namespace
 
 bool Manifest::is_accounted_for() const {
+  const bool judges_all = !short_form && plant.is_ideal();
   return !outcome.verdicts.empty() &&
          std::ranges::all_of(outcome.verdicts, [&](const Verdict& verdict) {
-           return verdict.is_accounted_for() && (short_form || verdict.not_judged.empty());
+           return verdict.is_accounted_for() && (verdict.not_judged.empty() || !judges_all);
          });
 }
 
@@ -77,6 +78,7 @@ std::string to_json(const Manifest& manifest) {
             {"experiment", manifest.experiment},
             {"title", manifest.title},
             {"short_form", manifest.short_form},
+            {"plant", recording::json(manifest.plant)},
             {"provenance", recording::json(manifest.provenance)}};
   json["configuration"] =
       outcome.walk ? recording::configuration(*outcome.walk) : settings_json(outcome);

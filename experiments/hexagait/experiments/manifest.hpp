@@ -35,8 +35,10 @@ struct Manifest {
   Outcome outcome;
   std::vector<Output> outputs;
   recording::Provenance provenance = {};
+  recording::PlantSetup plant = {};  ///< if it is another one, no claim is judged
 
-  /// There are claims, and each holds, fails as it was declared to, or is left to the full length.
+  /// There are claims, and each holds, fails as it was declared to, or is left to the full length and
+  /// the ideal plant.
   [[nodiscard]] bool is_accounted_for() const;
 };
 

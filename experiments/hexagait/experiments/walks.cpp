@@ -138,7 +138,10 @@ figures::Csv table(std::span<const std::vector<Walk>> groups) {
 bool walk_all(const ExperimentContext& context, std::span<std::vector<Walk>> groups) {
   std::vector<Walk*> walks;
   for (std::vector<Walk>& group : groups)
-    for (Walk& walk : group) walks.push_back(&walk);
+    for (Walk& walk : group) {
+      if (!context.plant.is_ideal()) walk.simulation.plant = context.plant;
+      walks.push_back(&walk);
+    }
 
   std::atomic<std::size_t> next = 0;
   std::size_t done = 0;
@@ -265,6 +268,7 @@ Outcome walks(const ExperimentContext& context, figures::StagedFiles& files) {
       first_walks(brief ? 1 : 20, brief ? 5.0 : 30.0),
       over_terrain("boxes:0.10", brief ? 1 : 20, brief ? 1.0 : 5.0, "real"),
       over_terrain("boxes:0.10", brief ? 1 : 20, brief ? 1.0 : 5.0, "late_ticks:5%")};
+  if (!context.plant.is_ideal()) groups.resize(6);  // the others have plants of their own
   if (!walk_all(context, groups)) return {};
   files.write("walks.csv", table(groups).text());
 
@@ -274,7 +278,7 @@ Outcome walks(const ExperimentContext& context, figures::StagedFiles& files) {
                                    judge_postures(groups[1]), judge_commands(groups[2])};
   for (const std::size_t k : {3U, 4U})
     verdicts.push_back(judged_in_full_only(judge_terrain(groups[k]), brief));
-  for (const std::size_t k : {6U, 7U})
+  for (std::size_t k = 6; k < groups.size(); ++k)
     verdicts.push_back(judged_in_full_only(judge_plant(groups[k]), brief));
   verdicts.push_back(judged_in_full_only(judge_first_walk(groups[5]), brief));
   return {.verdicts = verdicts,

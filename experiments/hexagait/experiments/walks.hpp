@@ -27,7 +27,8 @@ struct JudgedWalk {
                                                    double metres,
                                                    const std::string& plant = "ideal");
 
-/// Walks them, on all cores, and fills in their summaries. Reports progress.
+/// Walks them, on all cores, and fills in their summaries. Reports progress. If the context's plant is
+/// not ideal, all are on it.
 /// @returns false if it was stopped before the end
 [[nodiscard]] bool walk_all(const ExperimentContext& context,
                             std::span<std::vector<JudgedWalk>> groups);

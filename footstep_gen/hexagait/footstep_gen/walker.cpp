@@ -59,6 +59,7 @@ void Walker::set_stepping(const gait_state::StepperParams& stepping) {
 const TickRecord& Walker::tick(PlantStatus status, const Measurement& measurement,
                                const heading_control::HeadingCommand& command) noexcept {
   speed_limit_ = command.speed_limit;
+  if (!(speed_limit_ >= 0.0)) stop(Fault::bad_command);
   return step(status, measurement, command.heading);
 }
 

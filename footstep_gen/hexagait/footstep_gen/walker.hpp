@@ -44,7 +44,7 @@ class Walker {
                          const heading_control::Heading& heading) noexcept;
 
   /// The same for a velocity command (heading_control::from_twist()): along its path, no faster than
-  /// its limit.
+  /// its limit. A limit that is negative or no number stops it: Fault::bad_command.
   const TickRecord& tick(PlantStatus status, const Measurement& measurement,
                          const heading_control::HeadingCommand& command) noexcept;
 

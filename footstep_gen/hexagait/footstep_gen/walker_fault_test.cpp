@@ -233,6 +233,50 @@ TEST(WalkerFault, StopsInAnEmergency) {
   expect_stopped_for_good(walk, Fault::emergency_stop);
 }
 
+// A heading is checked when it is made, and a velocity that is none stops on the path; a limit of
+// speed that is none can only be a mistake of the program. 0 and no limit are ones.
+TEST(WalkerFault, StopsAtASpeedLimitThatIsNone) {
+  for (const double bad : {-1.0, -1e-300, kNan, -std::numeric_limits<double>::infinity()}) {
+    Walk walk;
+    walk.walk(333);
+    walk.walker.tick(PlantStatus::fresh, walk.plant.measurement, {Heading::straight(0.0), bad});
+    expect_stopped_for_good(walk, Fault::bad_command);
+  }
+  for (const double good : {0.0, 0.1, std::numeric_limits<double>::infinity()}) {
+    Walk walk;
+    walk.walk(333);
+    walk.walker.tick(PlantStatus::fresh, walk.plant.measurement, {Heading::straight(0.0), good});
+    EXPECT_EQ(walk.walker.record().fault, Fault::none) << good;
+  }
+}
+
+TEST(WalkerFault, TakesAVelocityThatIsNoneAsAStop) {
+  Walk walk;
+  walk.walk(333);
+  const heading_control::HeadingCommand command = heading_control::from_twist(
+      {{kNan, 0.1}, 0.0}, heading_control::workspaces(argos()), walk.walker.record().heading);
+  const TickRecord& record = walk.walker.tick(PlantStatus::fresh, walk.plant.measurement, command);
+  EXPECT_EQ(record.fault, Fault::none);
+  EXPECT_FALSE(record.heading.moving());
+}
+
+// Parameters that no range forbids, though nothing can be made of them: a swing higher than numbers
+// go, a weight that is none. What was commanded last is held.
+TEST(WalkerFault, StopsWhenParametersLeadToTargetsThatAreNone) {
+  std::vector<WalkerParams> absurd(2);
+  absurd[0].step.height = absurd[0].step.max_height = std::numeric_limits<double>::max();
+  absurd[1].executor.gravity = std::numeric_limits<double>::max();
+  for (const WalkerParams& params : absurd) {
+    Walk walk;
+    walk.walker = Walker(argos(), params);
+    walk.walker.start(walk.plant.measurement);
+    for (int k = 0; k < 1000 && walk.walker.record().fault == Fault::none; ++k) {
+      ASSERT_TRUE(finite(walk.tick().targets)) << k;
+    }
+    expect_stopped_for_good(walk, Fault::bad_command);
+  }
+}
+
 // The same bits from the same measurements, and from a copy made in the middle of a step.
 TEST(WalkerDeterminism, GivesTheSameBitsTwiceAndFromACopy) {
   Walk one, other;

@@ -61,6 +61,7 @@ Json leg_json(const LegModel& leg) {
 Json json(const PlantSetup& plant) {
   Json json = {{"name", plant.name}};
   for (const PlantNumber& number : plant_numbers()) json[name_with_unit(number)] = number.of(plant);
+  json["velocity_limits"] = plant.world.velocity_limits;
   json["positions_only"] = plant.faults.positions_only;
   return json;
 }

@@ -84,17 +84,24 @@ std::optional<double> value_of(const PlantNumber& number, std::string_view text)
   return has_suffix && number.unit == PlantUnit::share ? value / 100.0 : value;
 }
 
-std::string set_servo(PlantSetup& setup, const std::string& value, const std::string& spoken) {
-  setup.faults.positions_only = value == "position_only" || value == "position-only";
-  if (setup.faults.positions_only || value == "ideal") return "";
-  const std::vector<std::string> known = {"ideal", "position_only"};
-  return fmt::format("{} is '{}'{}; it must be ideal or position_only", spoken, value,
-                     did_you_mean(value, known));
+std::string set(PlantSetup& setup, const PlantSwitch& one, const std::string& value,
+                const std::string& spoken) {
+  std::string word = value;
+  std::ranges::replace(word, '-', '_');
+  for (const bool on : {false, true}) {
+    if (word != one.words[on]) continue;
+    (one.of_world != nullptr ? setup.world.*one.of_world : setup.faults.*one.of_faults) = on;
+    return "";
+  }
+  const std::vector<std::string> known(std::begin(one.words), std::end(one.words));
+  return fmt::format("{} is '{}'{}; it must be {} or {}", spoken, value, did_you_mean(value, known),
+                     one.words[0], one.words[1]);
 }
 
 // The keys of a plant, and its presets.
 std::vector<std::string> known_words() {
-  std::vector<std::string> known = {kServo};
+  std::vector<std::string> known;
+  for (const PlantSwitch& one : plant_switches()) known.emplace_back(one.name);
   for (const PlantNumber& number : plant_numbers()) known.emplace_back(number.name);
   for (const PlantPreset& preset : plant_presets()) known.emplace_back(preset.name);
   return known;
@@ -126,6 +133,27 @@ const std::vector<PlantNumber>& plant_numbers() {
   return all;
 }
 
+std::span<const PlantSwitch> plant_switches() {
+  static constexpr PlantSwitch kAll[] = {
+      {"velocity_limits",
+       {"off", "on"},
+       "Drives keep to the velocity limits of the model, as motors do",
+       &sim3d::WorldParams::velocity_limits,
+       nullptr},
+      {"servo",
+       {"ideal", "position_only"},
+       "What servos take: position_only is without velocities and efforts fed forward",
+       nullptr,
+       &walk::PlantFaults::positions_only}};
+  return kAll;
+}
+
+bool PlantSetup::is_ideal() const {
+  const PlantSetup ideal;
+  const auto same = [&](const auto& part) { return part.of(*this) == part.of(ideal); };
+  return std::ranges::all_of(plant_numbers(), same) && std::ranges::all_of(plant_switches(), same);
+}
+
 std::string name_with_unit(const PlantNumber& number) {
   return number.name + std::string(words(number.unit).in_json);
 }
@@ -152,7 +180,8 @@ std::string set(PlantSetup& setup, std::string_view key, const std::string& valu
                 const std::string& spoken) {
   std::string name(key);
   std::ranges::replace(name, '-', '_');
-  if (name == kServo) return set_servo(setup, value, spoken);
+  for (const PlantSwitch& one : plant_switches())
+    if (name == one.name) return set(setup, one, value, spoken);
   for (const PlantNumber& number : plant_numbers()) {
     if (name != number.name) continue;
     const std::optional<double> read = value_of(number, value);

@@ -19,6 +19,8 @@ struct PlantSetup {
   std::string name = "ideal";  ///< as it was written
   sim3d::WorldParams world;    ///< of which only sim3d::imperfections() count
   walk::PlantFaults faults;
+
+  [[nodiscard]] bool is_ideal() const;  ///< each number and switch is as by default
 };
 
 /// A number of a PlantSetup.
@@ -42,9 +44,19 @@ struct PlantNumber {
 /// What may be written for it: "an angle from 0 to 0.2 rad, such as 0.5mrad".
 [[nodiscard]] std::string expected(const PlantNumber& number);
 
-/// The one of the parts of a plant that is no number: `ideal`, or `position_only`, which takes no
-/// velocities and efforts.
-inline constexpr const char* kServo = "servo";
+/// A part of a PlantSetup that is one of two words.
+struct PlantSwitch {
+  const char* name;
+  const char* words[2];                ///< for false and for true
+  const char* meaning;                 ///< a line of --help
+  bool sim3d::WorldParams::*of_world;  ///< null if it is a fault's
+  bool walk::PlantFaults::*of_faults;  ///< null if it is the world's
+
+  [[nodiscard]] bool of(const PlantSetup& setup) const {
+    return of_world != nullptr ? setup.world.*of_world : setup.faults.*of_faults;
+  }
+};
+[[nodiscard]] std::span<const PlantSwitch> plant_switches();
 
 /// A plant with a name.
 struct PlantPreset {
@@ -54,7 +66,7 @@ struct PlantPreset {
 [[nodiscard]] const std::vector<PlantPreset>& plant_presets();
 
 /// What is wrong with one value, or empty: then the setup has it.
-/// @param key     name of a number, or kServo
+/// @param key     name of a number or a switch
 /// @param spoken  how the message calls it: "--joint-noise"
 [[nodiscard]] std::string set(PlantSetup& setup, std::string_view key, const std::string& value,
                               const std::string& spoken);

@@ -17,14 +17,26 @@ using testing::HasSubstr;
 TEST(PlantSetup, ReadsPresetsAndWhatDiffersFromThem) {
   EXPECT_EQ(parse_plant("ideal").world.friction, sim3d::WorldParams{}.friction);
   EXPECT_EQ(parse_plant("ideal").faults, walk::PlantFaults{});
-  const PlantSetup setup = parse_plant("real+friction:0.4+servo:position_only+late_ticks:5%");
-  EXPECT_EQ(setup.name, "real+friction:0.4+servo:position_only+late_ticks:5%");
+  const char* text = "real+friction:0.4+servo:position_only+velocity_limits:off+late_ticks:5%";
+  const PlantSetup setup = parse_plant(text);
+  EXPECT_EQ(setup.name, text);
   EXPECT_EQ(setup.world.friction, 0.4);
   EXPECT_EQ(setup.world.mass_error, 0.1);
   EXPECT_EQ(setup.faults.joint_noise, 5e-4);
   EXPECT_DOUBLE_EQ(setup.faults.late_ticks, 0.05);
   EXPECT_TRUE(setup.faults.positions_only);
+  EXPECT_FALSE(setup.world.velocity_limits);
+  EXPECT_TRUE(parse_plant("real+velocity-limits:on").world.velocity_limits);
+  EXPECT_FALSE(parse_plant("real+servo:ideal").faults.positions_only);
   EXPECT_EQ(setup.faults.sensing_delay + setup.faults.command_delay, 0.006);
+}
+
+TEST(PlantSetup, IsIdealIfNothingDiffers) {
+  for (const char* text : {"ideal", "ideal+friction:0.9+velocity_limits:on", "joint_noise:0"})
+    EXPECT_TRUE(parse_plant(text).is_ideal()) << text;
+  for (const char* text :
+       {"real", "friction:0.8", "joint_noise:1mrad", "servo:position_only", "velocity_limits:off"})
+    EXPECT_FALSE(parse_plant(text).is_ideal()) << text;
 }
 
 TEST(PlantSetup, ReadsUnits) {
@@ -45,15 +57,16 @@ TEST(PlantSetup, ReadsUnits) {
 TEST(PlantSetup, RefusesEverythingThatIsWrongAtOnce) {
   try {
     (void)parse_plant(
-        "rael+joint_noise:-1mrad+sensing_delay:2s+frction:1+servo:hobby+false_contacts:"
-        "120%+joint_quantisation:40bit+mass_error:nan+late_ticks:5ms");
+        "rael+joint_noise:-1mrad+sensing_delay:2s+frction:1+servo:hobby+velocity_limits:no+"
+        "false_contacts:120%+joint_quantisation:40bit+mass_error:nan+late_ticks:5ms");
     FAIL() << "accepted";
   } catch (const InvalidInput& refusal) {
     for (const char* part :
          {"'rael' is no plant; did you mean 'real'?",
           "joint_noise is '-1mrad'; it must be an angle from 0 to 0.2 rad",
           "sensing_delay is '2s'; it must be a time from 0 to 1 s", "did you mean 'friction'?",
-          "servo is 'hobby'; it must be ideal or position_only", "false_contacts is '120%'",
+          "servo is 'hobby'; it must be ideal or position_only",
+          "velocity_limits is 'no'; it must be off or on", "false_contacts is '120%'",
           "a share from 0 to 1", "joint_quantisation is '40bit'", "12bit", "mass_error is 'nan'",
           "late_ticks is '5ms'"})
       EXPECT_THAT(refusal.what(), HasSubstr(part));
@@ -77,14 +90,17 @@ TEST(PlantSetup, EveryNumberIsWithinItsRangeByDefaultAndAtItsEnds) {
 
 // World and faults both reach the walk, and both are drawn by its seed.
 TEST(PlantSetup, IsThatOfTheWalk) {
-  const RobotModel robot = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  const auto hash = [&](const char* plant, std::uint64_t seed = 1) {
+  const RobotModel argos = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  const auto hash_of = [](const RobotModel& robot, const char* plant, std::uint64_t seed = 1) {
     Simulation simulation;
     simulation.plant = parse_plant(plant);
     simulation.seed = seed;
     simulation.trial.schedule = {{0.0, heading_control::Heading::straight(0.0)}};
     simulation.trial.seconds = 1.0;
     return simulate(robot, simulation).state_hash;
+  };
+  const auto hash = [&](const char* plant, std::uint64_t seed = 1) {
+    return hash_of(argos, plant, seed);
   };
   const std::uint64_t ideal = hash("ideal");
   EXPECT_EQ(ideal, hash("ideal", 2));
@@ -96,6 +112,10 @@ TEST(PlantSetup, IsThatOfTheWalk) {
     EXPECT_EQ(hash(text.c_str()), hash(text.c_str())) << text;
   }
   EXPECT_NE(hash("servo:position_only"), ideal);
+  RobotModel slow = argos;  // argos itself never comes to its limits
+  for (LegModel& leg : slow.legs)
+    for (JointLimits& limits : leg.limits) limits.velocity = 1.0;
+  EXPECT_NE(hash_of(slow, "velocity_limits:off"), hash_of(slow, "ideal"));
   EXPECT_NE(hash("mass_error:10%"), hash("mass_error:10%", 2));
   EXPECT_NE(hash("joint_noise:1mrad"), hash("joint_noise:1mrad", 2));
 }

@@ -15,7 +15,7 @@ enum class Fault : std::uint8_t {
   plant_late,       ///< no measurement for longer than the limit
   plant_closed,     ///< the plant is gone
   emergency_stop,   ///< requested by the program
-  bad_command,      ///< a command, or a parameter, led to targets that are not finite
+  bad_command,      ///< a command is none, or one or a parameter led to targets that are not finite
 };
 
 [[nodiscard]] const char* to_string(Fault fault) noexcept;

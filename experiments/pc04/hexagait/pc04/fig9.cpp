@@ -43,6 +43,7 @@ double longest_pause(const recording::Recording& recording) {
 Outcome fig9(const ExperimentContext& context, figures::StagedFiles& files) {
   const double share = context.short_form ? kShort : 1.0;
   recording::Simulation simulation;
+  simulation.plant = context.plant;
   simulation.trial.schedule = trajectory(share);
   simulation.trial.seconds = share * kSeconds;
   std::vector<double> instants = {0.0, 6.0, 15.5, 21.5, 27.0, 34.0, 42.0, 55.0};

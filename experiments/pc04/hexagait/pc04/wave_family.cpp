@@ -160,6 +160,7 @@ void draw(figures::StagedFiles& files, const ExperimentContext& context,
 Outcome wave_family(const ExperimentContext& context, figures::StagedFiles& files) {
   std::vector<Segment> parts = segments(context.short_form);
   recording::Simulation simulation;
+  simulation.plant = context.plant;
   simulation.gait.stepper = {.stepping = gait_state::Stepping::wave, .duty_factor = 0.5};
   simulation.trial.schedule = schedule(parts);
   simulation.trial.seconds = parts.back().to;
