@@ -49,6 +49,12 @@ class Assembly {
     RigidBody base = rigid_body(file_.root, Pose{});
     tree.base = std::move(base.link);
     tree.base_parts = std::move(base.parts);
+    // A body is called after its first part that has a mass, not after a root that only holds it.
+    const auto has_mass = [&](const LinkParts::Part& part) {
+      return link(part.link).inertial.has_value();
+    };
+    const auto first = std::ranges::find_if(tree.base_parts.parts, has_mass);
+    if (first != tree.base_parts.parts.end()) tree.base.name = link(first->link).name;
     for (const RigidBody::Departure& departure : base.departures)
       tree.chains.push_back(chain(departure));
     return tree;
