@@ -1,91 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <hexagait/model/kinematics.hpp>
-#include <hexagait/text/invalid_input.hpp>
-#include <hexagait/urdf/urdf.hpp>
-
-#include "testing/robot_text.hpp"
+#include "testing/recognised.hpp"
 
 namespace hexagait {
 namespace {
 
-using ::testing::AllOf;
+using testing::expect_recognised;
+using testing::expect_refused;
+using testing::expect_sound;
 using ::testing::HasSubstr;
 using testing::RobotText;
+using testing::told;
 
 constexpr double kPi = std::numbers::pi;
-
-/// What the loader says against a text; empty if nothing.
-std::string refusal(const std::string& xml, const UrdfOptions& options = {}) {
-  try {
-    (void)parse_urdf(xml, "robot.urdf", options);
-  } catch (const InvalidInput& error) {
-    return error.what();
-  }
-  return "";
-}
-
-/// "origin element what: found; used" of each substitution, a line each.
-std::string told(const RobotModel& robot) {
-  std::string text;
-  for (const Substitution& s : robot.substitutions)
-    text += fmt::format("{} {} {}: {}; {} {}\n", static_cast<int>(s.origin), s.element, s.what,
-                        s.found, s.used, s.option);
-  return text;
-}
-
-/// A robot that can stand: pairs that mirror each other, feet below hips, all on one level, limits and
-/// masses that can be, and a ball at each foot.
-void expect_sound(const RobotModel& robot, std::size_t legs) {
-  ASSERT_EQ(robot.num_legs(), static_cast<int>(legs));
-  EXPECT_GT(robot.foot_radius, 0.0);
-  EXPECT_FALSE(robot.base.shapes.empty());
-  for (LegId i = 0; i < robot.num_legs(); ++i) {
-    const LegModel& leg = robot.legs[i];
-    EXPECT_GT(leg.workspace_radius, 0.0) << leg.name;
-    EXPECT_EQ(leg.X_BH.p.y() > 0.0, i % 2 == 0) << leg.name;
-    EXPECT_LT(leg.p_BC.z(), leg.X_BH.p.z()) << leg.name;
-    EXPECT_NEAR(leg.p_BC.z(), robot.legs[0].p_BC.z(), 1e-9) << leg.name;
-    if (i >= 2) {
-      EXPECT_LE(leg.X_BH.p.x(), robot.legs[i - 2].X_BH.p.x() + 1e-9);
-    }
-    const LegModel& partner = robot.legs[i ^ 1];
-    EXPECT_NEAR(leg.p_BC.x(), partner.p_BC.x(), 1e-6) << leg.name;
-    EXPECT_NEAR(leg.p_BC.y(), -partner.p_BC.y(), 1e-6) << leg.name;
-    EXPECT_TRUE(inverse_kinematics(leg, leg.p_BC).reachable) << leg.name;
-    for (const LinkModel& link : leg.links) EXPECT_GT(link.mass, 0.0) << link.name;
-    const LinkModel& tip = leg.links.back();
-    const auto is_ball = [&](const Shape& shape) {
-      return shape.kind == Shape::Kind::sphere && shape.size.x() == robot.foot_radius &&
-             (tip.X_BL0 * shape.X_LS.p - leg.p_BF0).norm() < 1e-12;
-    };
-    EXPECT_TRUE(std::ranges::any_of(tip.shapes, is_ball)) << leg.name;
-  }
-}
-
-/// Loads it, and expects it to be sound and the substitutions to be told in these words.
-RobotModel expect_recognised(const RobotText& robot, const std::vector<std::string>& words = {},
-                             const UrdfOptions& options = {}) {
-  const std::string said = refusal(robot.text(), options);
-  EXPECT_EQ(said, "");
-  if (!said.empty()) return {};
-  RobotModel model = parse_urdf(robot.text(), "robot.urdf", options);
-  expect_sound(model, robot.hips.size());
-  for (const std::string& word : words) EXPECT_THAT(told(model), HasSubstr(word));
-  if (words.empty()) {
-    EXPECT_EQ(told(model), "");
-  }
-  return model;
-}
-
-void expect_refused(const RobotText& robot, const std::vector<std::string>& words,
-                    const UrdfOptions& options = {}) {
-  const std::string said = refusal(robot.text(), options);
-  for (const std::string& word : words) EXPECT_THAT(said, HasSubstr(word));
-}
 
 // ---- as they should be: nothing is substituted
 
@@ -255,6 +182,20 @@ TEST(AwkwardRobots, MayHaveAnArm) {
                           {"3 joint to_a0 joint: is no leg: has no mirror partner"});
 }
 
+// The rear pair hangs from a link of its own, which turns against the body.
+TEST(AwkwardRobots, MayHaveAWaist) {
+  RobotText robot{.more = RobotText::limb("w", "revolute", "b", {0, 0, 0}, "0 0 1")};
+  std::string text = robot.text();
+  for (const int i : {4, 5}) {
+    const std::size_t at = text.find("parent link='b'", text.find(fmt::format("name='q{}-0'", i)));
+    text.replace(at, 15, "parent link='w'");
+  }
+  const RobotModel model = parse_urdf(text, "robot.urdf");
+  expect_sound(model, 6);
+  EXPECT_THAT(told(model),
+              HasSubstr("3 joint to_w joint: moves the body's parts against each other"));
+}
+
 TEST(AwkwardRobots, MayHaveSlidingContactsAtTheirFeet) {
   const RobotModel robot = expect_recognised(
       {.tibia_has = "",
@@ -396,96 +337,6 @@ TEST(AwkwardRobots, MayBeAwkwardInManyWays) {
   (void)expect_recognised(
       robot, {"front", "origin of the body", "foot", "shape of the body", "mass", "velocity limit",
               "effort limit", "limits", "joint to_pan"});
-}
-
-// ---- refused, with numbers and what to change
-
-TEST(RefusedRobots, HaveTooFewLegs) {
-  RobotText robot{.hips = {{0.1, 0.05}, {0.1, -0.05}}};
-  expect_refused(robot, {"robot.urdf: robot: has 2 legs; need an even number from 4 to 12"});
-}
-
-TEST(RefusedRobots, HaveWheelsOrLegsOfOneJoint) {
-  std::string more;
-  for (int i = 0; i < 4; ++i)
-    more += fmt::format(
-        "<link name='w{0}'><collision><origin rpy='1.5707963267948966 0 0'/><geometry>"
-        "<cylinder radius='0.05' length='0.02'/></geometry></collision></link>"
-        "<joint name='a{0}' type='continuous'><parent link='b'/><child link='w{0}'/>"
-        "<origin xyz='{1} {2} 0'/><axis xyz='0 1 0'/></joint>",
-        i, i < 2 ? 0.1 : -0.1, i % 2 ? 0.1 : -0.1);
-  const std::string rover = "<robot name='rover'><link name='b'/>" + more + "</robot>";
-  EXPECT_THAT(refusal(rover), AllOf(HasSubstr("has 0 legs; need an even number from 4 to 12"),
-                                    HasSubstr("joint a3: is no leg: is a wheel of radius 0.05 m, "
-                                              "and a leg has 3 joints or more")));
-  const RobotText wheeled{.tibia_has = "",
-                          .foot =
-                              "<link name='w{0}'><collision><origin rpy='1.5707963267948966 0 0'/>"
-                              "<geometry><cylinder radius='0.03' length='0.02'/></geometry>"
-                              "</collision></link><joint name='a{0}' type='continuous'><parent "
-                              "link='l{0}c'/><child link='w{0}'/><origin xyz='{1} 0 0'/><axis "
-                              "xyz='0 1 0'/></joint>"};
-  expect_refused(wheeled, {"ends in a wheel of radius 0.03 m", "make its joint fixed"});
-}
-
-TEST(RefusedRobots, HaveLegsOfTwoJoints) {
-  std::string text = RobotText().text();
-  for (int i = 0; i < 6; ++i) {
-    const std::size_t at = text.find(fmt::format("name='q{}-0' type='revolute'", i));
-    text.replace(text.find("revolute", at), 8, "fixed");
-  }
-  EXPECT_THAT(refusal(text), AllOf(HasSubstr("has 2 movable joints; a leg has 3 to 6"),
-                                   HasSubstr("leg of joint q5-1")));
-}
-
-// Of one pair the hips can only lift.
-TEST(RefusedRobots, HaveLegsThatCannotReachTheGroundTogether) {
-  std::string text = RobotText().text();
-  for (const int i : {2, 3}) {
-    std::size_t at = text.find(fmt::format("name='q{}-1'", i));
-    text.replace(text.find("lower='-1.5' upper='1.5'", at), 24, "lower='-1.5' upper='-1.2'");
-    at = text.find(fmt::format("name='q{}-2'", i));
-    text.replace(text.find("lower='0.1' upper='2.6'", at), 23, "lower='0.1' upper='0.3'");
-  }
-  EXPECT_THAT(refusal(text),
-              AllOf(HasSubstr("leg of joint q2-0: gets down to z = 0."),
-                    HasSubstr("the body's underside is at -0.02 m"), HasSubstr("q3-0")));
-}
-
-TEST(RefusedRobots, AreInMillimetresUnlessToldSo) {
-  RobotText robot{.size = 1000.0};
-  robot.drive = "velocity='6' effort='2'";
-  expect_refused(robot, {"is 310.623 m from its middle", "--scale 0.001"});
-  const RobotModel model = parse_urdf(robot.text(), "robot.urdf", {.scale = 0.001});
-  EXPECT_NEAR(model.legs[0].tibia, 0.11, 1e-12);
-}
-
-TEST(RefusedRobots, AreStillXacro) {
-  EXPECT_THAT(refusal("<robot name='r'>\n<xacro:macro name='leg'/></robot>"),
-              AllOf(HasSubstr("robot.urdf:2: URDF: 'xacro:macro' is of xacro"),
-                    HasSubstr("xacro robot.urdf.xacro > robot.urdf")));
-  EXPECT_THAT(refusal("<robot name='r'>\n<link name='${side}_leg'/></robot>"),
-              HasSubstr("robot.urdf:2: URDF: '${side}_leg' is of xacro"));
-}
-
-TEST(RefusedRobots, HaveDegreesMimicsAndSlidingKnees) {
-  expect_refused({.yaw = "lower='-60' upper='60'"},
-                 {"joint q0-0: limits -60 to 60 rad are more than two turns", "degrees?"});
-  std::string text = RobotText().text();
-  text.insert(text.find("<axis", text.find("name='q4-2'")), "<mimic joint='q4-1'/>");
-  EXPECT_THAT(refusal(text), HasSubstr("joint q4-2: mimics q4-1; each joint needs its own motor"));
-}
-
-// A line each, each with its place.
-TEST(RefusedRobots, AreToldAllReasonsAtOnce) {
-  RobotText robot{.tibia_has = "", .knee = "lower='2' upper='1'"};
-  robot.more = RobotText::limb("arm", "prismatic", "l0c", {0, 0, 0.1}, "0 0 1");
-  const std::string said = refusal(robot.text());
-  EXPECT_THAT(said,
-              AllOf(HasSubstr("joint q0-2: lower limit 2 rad, upper limit 1 rad"),
-                    HasSubstr("joint q5-2: lower limit"), HasSubstr("link l1c: has no shape"),
-                    HasSubstr("link l5c: has no shape"),
-                    HasSubstr("joint to_arm: moves, but is neither revolute nor continuous")));
 }
 
 }  // namespace

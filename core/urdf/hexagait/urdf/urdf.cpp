@@ -115,6 +115,24 @@ void check_leg(Recognition& r, const LegCandidate& candidate, const SerialChain&
   for (const int index : candidate.held) hold(r, index, length);
 }
 
+/// What is named by options must be there.
+void check_names(Recognition& r, const RobotTree& tree) {
+  for (const std::string& name : r.options.legs)
+    if (std::ranges::none_of(tree.chains, [&](const SerialChain& chain) {
+          return chain.joints.front().name == name;
+        }))
+      r.violations.add("--legs", "'" + name + "' is no joint that a chain begins with at the body");
+  for (const auto& [name, place] : r.options.feet) {
+    const auto ends_in_it = [&r, &name = name](const SerialChain& chain) {
+      return std::ranges::any_of(chain.parts.back().parts, [&](const LinkParts::Part& part) {
+        return r.file.links[static_cast<std::size_t>(part.link)].name == name;
+      });
+    };
+    if (std::ranges::none_of(tree.chains, ends_in_it))
+      r.violations.add("--foot", "'" + name + "' is no last link of a chain, nor fixed to one");
+  }
+}
+
 /// The chains of the legs, chosen among all; what is none is reported.
 std::vector<JointChain> choose_legs(Recognition& r, const std::vector<LegCandidate>& candidates,
                                     const RobotTree& tree) {
@@ -202,12 +220,16 @@ RobotTree settled_tree(Recognition& r) {
   for (const LegCandidate& candidate : candidates.chains)
     if (!candidate.joints.empty()) chains.push_back(candidate.joints);
   const Matrix3 R_UR = find_up(r, chains);
-  const std::vector<JointChain> legs =
-      choose_legs(r, candidates.chains, upright_tree(r, chains, R_UR));
+  const RobotTree whole = upright_tree(r, chains, R_UR);
+  check_names(r, whole);
+  const std::vector<JointChain> legs = choose_legs(r, candidates.chains, whole);
   check_number(r, legs.size());
 
   RobotTree tree = upright_tree(r, legs, R_UR);
   settle_feet(r.file, r.options, find_feet(r, tree), tree, r.violations, r.substitutions);
+  if (!r.violations.empty())
+    for (const auto& [name, problem] : r.meshes.problems())
+      r.violations.add(problem.line, "mesh " + name, problem.text + " (--package)");
   r.violations.throw_if_any();
   check_size(r, tree);
   const Pose X_BU = body_frame(tree, r.options, r.substitutions);

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/detail/meshes.hpp>
 #include <hexagait/urdf/urdf.hpp>
 
@@ -26,6 +27,7 @@ class MeshFiles : public ::testing::Test {
     (void)read_mesh("none", problem);
     if (problem.find("without assimp") != problem.npos) GTEST_SKIP() << problem;
     fs::create_directories(directory_ / "mine/meshes");
+    fs::create_directories(directory_ / "mine/urdf");
     std::ofstream(directory_ / "mine/meshes/tibia.stl") << R"(solid tibia
 facet normal 0 0 0
 outer loop
@@ -82,7 +84,14 @@ TEST_F(MeshFiles, TellWhereTheFootIsWhateverTheirKind) {
 
 TEST_F(MeshFiles, AreFoundInThePackagesThatAreGiven) {
   const std::string text = with_mesh("package://mine/meshes/tibia.stl").text();
-  EXPECT_THROW((void)parse_urdf(text, "robot.urdf"), std::runtime_error);
+  try {
+    (void)parse_urdf(text, "robot.urdf");
+    ADD_FAILURE() << "found";
+  } catch (const InvalidInput& error) {
+    EXPECT_THAT(error.what(),
+                HasSubstr("mesh package://mine/meshes/tibia.stl: is not on this machine "
+                          "(--package)"));
+  }
   const RobotModel robot = parse_urdf(text, "robot.urdf", {.packages = {directory_.string()}});
   EXPECT_NEAR(robot.legs[0].tibia, 0.11 - robot.foot_radius, 1e-6);
 }
