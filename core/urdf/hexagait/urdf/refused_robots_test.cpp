@@ -90,6 +90,17 @@ TEST(RefusedRobots, HaveDegreesMimicsAndSlidingKnees) {
   EXPECT_THAT(refusal(text), HasSubstr("joint q4-2: mimics q4-1; each joint needs its own motor"));
 }
 
+// A snake of 900 joints, and 166 legs: told in well under a second.
+TEST(RefusedRobots, HaveFarTooManyJointsOrLegs) {
+  std::string snake = "<robot name='s'><link name='s0'/>";
+  for (int i = 1; i < 900; ++i)
+    snake += RobotText::limb(fmt::format("s{}", i), "revolute", fmt::format("s{}", i - 1),
+                             {0.1, 0, 0}, i % 2 ? "0 1 0" : "0 0 1");
+  EXPECT_THAT(refusal(snake + "</robot>"), HasSubstr("has 899 movable joints; a leg has 3 to 6"));
+  RobotText many{.hips = RobotText::rows(83)};
+  EXPECT_THAT(refusal(many.text()), HasSubstr("has 166 legs; need an even number from 4 to 12"));
+}
+
 TEST(RefusedRobots, LackWhatOptionsName) {
   EXPECT_THAT(refusal(RobotText().text(), {.legs = {"q0-0", "q1-1"}, .feet = {{"l0a", {0, 0, 0}}}}),
               AllOf(HasSubstr("--legs: 'q1-1' is no joint that a chain begins with"),

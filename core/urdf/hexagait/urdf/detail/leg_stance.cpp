@@ -49,6 +49,15 @@ std::string what_stops(const LegModel& leg) {
   return text.empty() ? "the joint limits must allow it" : text;
 }
 
+/// Can the foot move from p_BC by the least workspace in four directions? The workspace itself takes
+/// a thousand times as long.
+bool has_room(const LegModel& leg) {
+  const double room = kLeastWorkspace * length_of(leg);
+  for (const Vector3& way : {Vector3(room, 0, 0), {-room, 0, 0}, {0, room, 0}, {0, -room, 0}})
+    if (!inverse_kinematics(leg, leg.p_BC + way).reachable) return false;
+  return true;
+}
+
 /// Puts the foot at p_BF if it can stand there.
 bool stand_at(LegModel& leg, const Vector3& p_BF) {
   LegModel there = leg;
@@ -56,6 +65,7 @@ bool stand_at(LegModel& leg, const Vector3& p_BF) {
   const LegSolution solution = inverse_kinematics(there, p_BF);
   if (!solution.reachable) return false;
   if (leg.kind == LegKind::serial) there.q_nominal = solution.q;
+  if (!has_room(there)) return false;
   there.workspace_radius = reachable_radius(there);
   if (there.workspace_radius < kLeastWorkspace * length_of(leg)) return false;
   leg = there;

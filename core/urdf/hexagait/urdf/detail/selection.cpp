@@ -12,6 +12,9 @@ namespace {
 constexpr double kDeepEnough = 0.3;                // of the middle leg's way below the underside
 constexpr double kShortest = 0.6, kLongest = 1.6;  // of the middle leg's length
 constexpr double kOnAxis = 0.1;                    // of a wheel's radius
+// Beyond these it is no robot of ours in any case, and searches would take long.
+constexpr int kMostJoints = 2 * kMaxLegJoints;
+constexpr std::size_t kMostLegs = 2 * kMaxLegs;
 
 /// A candidate, measured.
 struct Measured {
@@ -104,7 +107,7 @@ std::vector<Measured> measure(const RobotTree& tree,
     const Vector3 tip = chain.links.back().X_BL0 * (feet[i] ? feet[i]->p_LF : Vector3::Zero());
     Measured m{static_cast<int>(chain.joints.size()), length_of(chain, tip), 0.0,
                wheel_radius(chain)};
-    m.lowest = lowest_reach(chain, tip);
+    m.lowest = m.joints <= kMostJoints ? lowest_reach(chain, tip) : bottom;
     if (m.joints >= 2 && m.lowest < bottom) depths.push_back(bottom - m.lowest);
     all.push_back(m);
   }
@@ -136,6 +139,7 @@ Verdict verdict(const Measured& m, double bottom, double length, int fewest) {
                             : "turns about one axis only, and a leg has " +
                                   std::to_string(kMinLegJoints) + " joints or more",
             ""};
+  if (m.joints > kMostJoints) return {joints, ""};
   if (!m.reaches) {
     const std::string why = "gets down to z = " + metres(m.lowest) +
                             " only; the body's underside is at " + metres(bottom);
@@ -161,6 +165,7 @@ void leave_out_the_odd(const RobotTree& tree, const std::vector<Measured>& all, 
     legs.push_back(i);
     hips.emplace_back(tree.chains[i].joints.front().p_BJ0.head<2>());
   }
+  if (legs.size() > kMostLegs) return;
   const Symmetry symmetry =
       options.front ? symmetry_along(hips, *options.front) : find_symmetry(hips);
   if (symmetry.num_paired() < 4) return;
