@@ -13,6 +13,7 @@ constexpr double kLightestRobot = 2.0, kHeaviestRobot = 1000.0;  // [kg/m³] of 
 constexpr double kLightestLink = 1.0, kHeaviestLink = 1e5;       // [kg/m³] of its volume
 constexpr double kSlimmest = 0.01, kWidest = 2.0;  // radius of gyration, of the extent
 constexpr double kRodRadius = 0.1;                 // of its length
+constexpr double kOnlyABall = 0.05;                // shapes of less than this share of the rod
 
 /// A link, and what it is made of if it is filled evenly.
 struct Filled {
@@ -62,13 +63,13 @@ Shape rod(const Vector3& from, const Vector3& to, double length) {
   return shape;
 }
 
-/// Fills a link's shapes, or a rod from its joint to `end` where these are less.
+/// Fills a link's shapes, or a rod from its joint to `end` if these are none, or only a foot.
 Filled filled(LinkModel& link, const LinkParts& parts, const Vector3& end_L, double shortest) {
   const Shape along = rod(Vector3::Zero(), end_L, std::max(end_L.norm(), shortest));
   double volume = 0.0;
   for (const Shape& shape : link.shapes) volume += volume_of(shape);
   const std::vector<Shape> solids =
-      volume < volume_of(along) ? std::vector<Shape>{along} : link.shapes;
+      volume < kOnlyABall * volume_of(along) ? std::vector<Shape>{along} : link.shapes;
 
   Filled result{&link, &parts};
   Vector3 moment = Vector3::Zero();

@@ -11,8 +11,8 @@ namespace hexagait {
 [[nodiscard]] double size_of(const RobotTree& tree);
 
 /// Gives every link a mass and an inertia that can be. What is missing, 0, or out of these bounds is
-/// replaced by that of the link's shapes, filled evenly with options.density; a link without shapes
-/// counts as a rod from its joint to the next one, a tenth as thick as long:
+/// replaced by that of the link's shapes, filled evenly with options.density; a link without shapes,
+/// or with only a foot, counts as a rod from its joint to the next one, a tenth as thick as long:
 ///
 ///  - mass of the robot over the cube of its size: 2 to 1000 kg/m³; else all masses are replaced
 ///  - mass of a link over its volume: 1 to 100 000 kg/m³, since a rod may stand for a whole motor
