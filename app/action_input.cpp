@@ -92,7 +92,7 @@ WholeBodyController controller(const std::string& name) {
 ActionInput action_input(const ActionArguments& arguments) {
   ActionInput input;
   input.file = shared_file("action", arguments.action, "actions", ".yaml");
-  input.robot = load_urdf(robot_file(arguments.robot));
+  input.robot = load_robot(arguments.robot, arguments.overrides, arguments.quiet);
   input.seed = seed(arguments.seed);
   input.terrain = sim3d::parse_terrain(arguments.terrain);
   input.controller = controller(arguments.controller);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "plant_options.hpp"
+#include "robot_options.hpp"
 
 namespace hexagait::app {
 
@@ -18,8 +19,9 @@ struct ActionArguments {
   std::string action;  ///< file, or name of an action that comes with hexagait
   std::string robot = "argos", start = "standing", terrain = "flat", seed = "1";
   std::string controller = "kinematic";  ///< of `run`
-  std::vector<std::string> set;          ///< NAME=VALUE
-  PlantArguments plant;                  ///< of `run`
+  RobotOverrides overrides;
+  std::vector<std::string> set;  ///< NAME=VALUE
+  PlantArguments plant;          ///< of `run`
   bool json = false, quiet = false;
   bool preview = false, force = false;
   std::string preview_plot, plot;

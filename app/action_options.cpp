@@ -85,6 +85,7 @@ void add_run(CLI::App& app, ActionArguments& a) {
   run->add_flag("--quiet", a.quiet, "No progress and no warnings on stderr");
   group(*run, "Options of the run");
   add_plant(*run, a.plant);
+  add_robot_overrides(*run, a.overrides);
   run->callback([&a, preview] { a.preview = preview->count() > 0; });
 }
 
@@ -94,6 +95,7 @@ void add_check(CLI::App& app, ActionArguments& a) {
   add_common(*check, a);
   check->add_flag("--quiet", a.quiet, "Only what is wrong, no verdict");
   group(*check, "Options of the check");
+  add_robot_overrides(*check, a.overrides);
 }
 
 }  // namespace hexagait::app

@@ -9,12 +9,14 @@
 #include <vector>
 
 #include "plant_options.hpp"
+#include "robot_options.hpp"
 
 namespace hexagait::app {
 
 /// `hexagait walk` as it was typed. An empty text is an option that was not given.
 struct WalkArguments {
   std::string robot = "argos";
+  RobotOverrides overrides;
   std::string radius, crab, spin, commands, random_commands;
   std::string gait, duty_factor;
   std::string terrain = "flat";

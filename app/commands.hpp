@@ -51,8 +51,16 @@ struct ResultsArguments {
 /// `hexagait results`: 0 if each claim holds, or fails as it was declared to. @throws InvalidInput
 int results_command(const ResultsArguments& arguments);
 
+/// `hexagait robot` as it was typed.
+struct RobotArguments {
+  std::string robot;
+  RobotOverrides overrides;
+  std::string plot;
+  bool json = false;
+};
+
 /// `hexagait robot FILE`. @throws InvalidInput
-int robot_command(const std::string& robot, bool json);
+int robot_command(const RobotArguments& arguments);
 
 /// `hexagait verify`: 0 if all theorems hold.
 int verify_command(bool as_json, bool quiet);

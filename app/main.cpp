@@ -122,11 +122,7 @@ void add_report(CLI::App& app, ReportArguments& a) {
   report->add_flag("--json", a.json, "Print one JSON object");
 }
 
-/// `hexagait robot`, `hexagait list` and `hexagait verify` as they were typed.
-struct RobotArguments {
-  std::string robot;
-  bool json = false;
-};
+/// `hexagait list` and `hexagait verify` as they were typed.
 struct ListArguments {
   std::string what;
   bool json = false;
@@ -141,9 +137,16 @@ void add_robot(CLI::App& app, RobotArguments& a) {
       ->type_name("FILE|NAME")
       ->required();
   robot->add_flag("--json", a.json, "Print one JSON object");
+  robot->add_option("--plot", a.plot, "Draw it from above and from the side: .png, .svg or .pdf")
+      ->type_name("FILE");
+  group(*robot, "Robot and results");
+  add_robot_overrides(*robot, a.overrides);
   robot->footer(
-      "\nWarns on stderr if mass and size don't go together, as those of millimetres do.\n\n"
-      "Examples:\n  hexagait robot argos\n  hexagait robot mine.urdf --json\n\n"
+      "\nNames mean nothing: legs, feet and the front are found by geometry. What the file does "
+      "not\n"
+      "say, or what can't be so, is substituted, and listed below the table.\n\n"
+      "Examples:\n  hexagait robot argos\n  hexagait robot mine.urdf --plot mine.png\n"
+      "  hexagait robot mine.urdf --front +y --mass 2.4 --json\n\n"
       "Exit status: 0 it is a robot; 2 bad usage, or a file that is none.");
 }
 
@@ -213,7 +216,7 @@ int run_command_of(const CLI::App& app, const Arguments& a) {
   if (app.got_subcommand("sweep")) return sweep_command(a.sweep);
   if (app.got_subcommand("merge")) return merge_command(a.merge);
   if (app.got_subcommand("report")) return report_command(a.report);
-  if (app.got_subcommand("robot")) return robot_command(a.robot.robot, a.robot.json);
+  if (app.got_subcommand("robot")) return robot_command(a.robot);
   return list_command(app.got_subcommand("list") ? a.list.what : "terrains", a.list.json);
 }
 

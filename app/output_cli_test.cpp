@@ -109,7 +109,8 @@ TEST_F(Cli, ThatDoesNotArriveSaysSoAndFails) {
 }
 
 // A microgram per link and legs that reach 0.54 m: lighter than air, as lengths in millimetres are.
-TEST_F(Cli, WarnsOfARobotWhoseMassDoesNotGoWithItsSize) {
+// Masses that can't be are replaced, and said so: in the table, and on stderr of what moves.
+TEST_F(Cli, SaysWhatItSubstitutesOfARobot) {
   EXPECT_THAT(run("robot argos").err, IsEmpty());
   std::string text = content(fs::path(HEXAGAIT_SOURCE_DIR) / "robots/quadruped.urdf");
   const std::string from = "<mass value=\"";
@@ -118,10 +119,30 @@ TEST_F(Cli, WarnsOfARobotWhoseMassDoesNotGoWithItsSize) {
     text.replace(begin, text.find('"', begin) - begin, "1e-6");
   }
   write("light.urdf", text);
-  const Result result = run("robot ../light.urdf");
+  const Result result = run("robot ../light.urdf --json");
   EXPECT_EQ(result.status, 0);
-  EXPECT_THAT(result.err, AllOf(HasSubstr("warning: "), HasSubstr("metres and kilograms"),
-                                HasSubstr("millimetres")));
+  EXPECT_THAT(result.out, AllOf(HasSubstr("substitutions"), HasSubstr("--density")));
+  EXPECT_THAT(run("robot ../light.urdf").out,
+              HasSubstr("line 26: link base_link: mass substituted: 1e-06 kg"));
+  EXPECT_THAT(run("check nod --robot ../light.urdf").err,
+              AllOf(HasSubstr("mass substituted"), HasSubstr("(--density)")));
+  EXPECT_EQ(run("robot ../light.urdf --mass 30 --plot light.png").status, 0);
+  EXPECT_TRUE(fs::exists(here() / "light.png"));
+}
+
+TEST_F(Cli, RefusesOverridesOfARobotThatAreNone) {
+  for (const auto& [option, word] : {std::pair("--front sideways", "it must be +x, -x, +y, -y"),
+                                     {"--up w", "-z"},
+                                     {"--mass -3", "positive"},
+                                     {"--foot LF_tibia", "LINK=X,Y,Z"},
+                                     {"--foot LF_tibia=1,2", "LINK=X,Y,Z"},
+                                     {"--scale 0", "positive"},
+                                     {"--joint-range 90", "90deg"},
+                                     {"--legs LF_yaw,none", "'none'"}}) {
+    const Result result = run(std::string("robot argos ") + option);
+    EXPECT_EQ(result.status, 2) << option;
+    EXPECT_THAT(result.err, HasSubstr(word)) << option;
+  }
 }
 
 // No path of the source tree is in the command: it finds its robots beside itself, or where

@@ -3,42 +3,57 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <hexagait/figures/gnuplot.hpp>
 #include <hexagait/recording/json.hpp>
-#include <hexagait/urdf/urdf.hpp>
+#include <hexagait/recording/robot_figure.hpp>
 
 #include "commands.hpp"
 #include "output.hpp"
+#include "output_file.hpp"
 #include "words.hpp"
 
 namespace hexagait::app {
 namespace {
 
-// Mass over the cube of a leg's reach: of walking machines some 50 to 500 kg/m³, whatever their
-// size. Less than that of air, or more than that of lead: lengths or masses are in other units.
-constexpr double kAir = 1.2, kLead = 11340.0;  // [kg/m³]
+std::string subtitle(const RobotModel& robot) {
+  double reach = 0.0, height = 0.0;
+  for (const LegModel& leg : robot.legs) {
+    reach = std::max(reach, leg.max_reach);
+    height = std::max(height, leg.X_BH.p.z() - leg.p_BC.z() + robot.foot_radius);
+  }
+  const auto count = [&](Origin origin) {
+    return std::ranges::count(robot.substitutions, origin, &Substitution::origin);
+  };
+  return fmt::format(
+      "Nominal stance · hips {} above the ground · legs reach {} · feet of {} radius · "
+      "substituted: {} · left "
+      "out: {}",
+      length(height), length(reach), length(robot.foot_radius), count(Origin::substituted),
+      count(Origin::left_out));
+}
 
-void warn_of_units(const RobotModel& robot) {
-  double reach = 0.0;
-  for (const LegModel& leg : robot.legs) reach = std::max(reach, leg.max_reach);
-  const double density = robot.mass / (reach * reach * reach);
-  const char* wrong = density < kAir    ? "lengths in millimetres, or masses too small?"
-                      : density > kLead ? "lengths too short, or masses in grams?"
-                                        : nullptr;
-  if (wrong == nullptr) return;
-  fmt::print(
-      stderr,
-      "hexagait: warning: {} has legs that reach {:.3g} m and a mass of {:.3g} kg; a URDF is "
-      "in metres and kilograms: {}\n",
-      robot.name, reach, robot.mass, wrong);
+void draw(OutputFile& file, const RobotModel& robot) {
+  write_output("--plot", file, [&] {
+    recording::draw_robot(file.files,
+                          {.stem = file.path.stem(),
+                           .suffix = file.path.extension(),
+                           .headline = fmt::format("{}: {} legs, {:.3g} kg", robot.name,
+                                                   robot.num_legs(), robot.mass),
+                           .subtitle = subtitle(robot)},
+                          robot);
+    file.files.publish();
+  });
 }
 
 }  // namespace
 
-int robot_command(const std::string& robot, bool json) {
-  const RobotModel model = load_urdf(robot_file(robot));
-  warn_of_units(model);
-  print_out(json ? recording::to_json(model) + "\n" : in_words(model));
+int robot_command(const RobotArguments& arguments) {
+  // The table says itself what is not the file's.
+  const RobotModel model = load_robot(arguments.robot, arguments.overrides, true);
+  std::optional<OutputFile> plot = output_file("--plot", arguments.plot, {".png", ".svg", ".pdf"});
+  if (plot) figures::require_gnuplot();
+  print_out(arguments.json ? recording::to_json(model) + "\n" : in_words(model));
+  if (plot) draw(*plot, model);
   return kOk;
 }
 

@@ -118,8 +118,9 @@ std::string in_print(const WalkArguments& arguments, const WalkReport& report,
 int walk_command(const WalkArguments& arguments) {
   std::optional<sim2d::GenghisTrial> genghis;
   if (arguments.robot == kGenghis) genghis = genghis_trial(arguments);
-  const RobotModel robot =
-      genghis ? robot_in_space(sim2d::GenghisModel{}) : load_urdf(robot_file(arguments.robot));
+  const RobotModel robot = genghis
+                               ? robot_in_space(sim2d::GenghisModel{})
+                               : load_robot(arguments.robot, arguments.overrides, arguments.quiet);
   WalkReport report = genghis ? recording::report_of(*genghis) : WalkReport{};
   report.robot = robot.name;
   if (!genghis) report.simulation = simulation(arguments, robot);

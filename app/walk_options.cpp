@@ -114,6 +114,7 @@ void add_walk(CLI::App& app, WalkArguments& a) {
   add_plant(*walk, a.plant);
   add_output(*walk, a);
   group(*walk, "Results");
+  add_robot_overrides(*walk, a.overrides);
 }
 
 }  // namespace hexagait::app

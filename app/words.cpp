@@ -57,12 +57,6 @@ std::string gait(const Summary& s) {
                                     : fmt::format("tripod gait after {}", *s.tripod_after_steps);
 }
 
-// Lengths of coxa, femur and tibia, if these are what it has.
-std::string links_in_words(const LegModel& leg) {
-  if (leg.kind == LegKind::serial) return fmt::format("{} joints, serial", leg.num_joints());
-  return fmt::format("{:.3f}  {:.3f}  {:.3f}", leg.coxa, leg.femur, leg.tibia);
-}
-
 }  // namespace
 
 void add(std::string& text, const char* label, const std::string& value) {
@@ -162,29 +156,6 @@ std::string in_words(const WalkReport& report) {
                        : fmt::format("; a tick of the controller takes {:.1f} µs (99 %: {:.1f} µs)",
                                      s.tick_median / 1e3, s.tick_p99 / 1e3);
   add(text, "speed", fmt::format("{:.1f} × real time{}", s.real_time_factor, tick));
-  return text;
-}
-
-std::string in_words(const RobotModel& robot) {
-  std::string text = fmt::format("{}: {} legs, {:.1f} kg, feet of {} radius.\n", robot.name,
-                                 robot.num_legs(), robot.mass, length(robot.foot_radius));
-  text += fmt::format("  centre of mass ({:.3f}, {:.3f}, {:.3f}) m in the nominal stance\n",
-                      robot.p_BM.x(), robot.p_BM.y(), robot.p_BM.z());
-  text += "  leg    coxa   femur  tibia  reach          workspace centre           radius  [m]\n";
-  for (const LegModel& leg : robot.legs)
-    text += fmt::format("  {:<5}  {:<19}  {:.3f}…{:.3f}  ({:6.3f}, {:6.3f}, {:6.3f})  {:.3f}\n",
-                        leg.name, links_in_words(leg), leg.min_reach, leg.max_reach, leg.p_BC.x(),
-                        leg.p_BC.y(), leg.p_BC.z(), leg.workspace_radius);
-  const bool serial = std::ranges::any_of(
-      robot.legs, [](const LegModel& leg) { return leg.kind == LegKind::serial; });
-  text += serial ? "  joints  (hip to foot)\n" : "  joints  (hip yaw, hip pitch, knee pitch)\n";
-  for (const LegModel& leg : robot.legs) {
-    text += fmt::format("  {:<5}", leg.name);
-    for (int k = 0; k < leg.num_joints(); ++k)
-      text += fmt::format("  {} {:.0f}…{:.0f}°", leg.joint_names[k], degrees(leg.limits[k].lower),
-                          degrees(leg.limits[k].upper));
-    text += "\n";
-  }
   return text;
 }
 

@@ -1,5 +1,5 @@
-# Every foreign library, found once, and only where something needs it. ODE, urdfdom and KDL come
-# without CMake targets: pkg-config.
+# Every foreign library, found once, and only where something needs it. ODE, tinyxml2, assimp and KDL by
+# pkg-config: they come without CMake targets, or with some that need more than they do.
 
 # Those that our libraries link to: the CMake target; how find_package(hexagait) looks for it; its
 # name for pkg-config; the Debian package that has it.
@@ -8,8 +8,8 @@ set(hexagait_foreign_libraries
     "fmt::fmt|find_dependency(fmt)|fmt|libfmt-dev"
     "yaml-cpp|find_dependency(yaml-cpp)|yaml-cpp|libyaml-cpp-dev"
     "box2d::box2d|find_dependency(box2d)|box2d|libbox2d-dev"
-    "PkgConfig::urdfdom|hexagait_find_by_pkg_config(urdfdom)|urdfdom|liburdfdom-dev"
-    "PkgConfig::tinyxml|hexagait_find_by_pkg_config(tinyxml)|tinyxml|libtinyxml-dev"
+    "PkgConfig::tinyxml2|hexagait_find_by_pkg_config(tinyxml2)|tinyxml2|libtinyxml2-dev"
+    "PkgConfig::assimp|hexagait_find_by_pkg_config(assimp)|assimp|libassimp-dev"
     "PkgConfig::ode|hexagait_find_by_pkg_config(ode)|ode|libode-dev")
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
@@ -26,8 +26,10 @@ if(HEXAGAIT_URDF OR HEXAGAIT_SIM3D)
   find_package(PkgConfig REQUIRED)
 endif()
 if(HEXAGAIT_URDF)
-  pkg_check_modules(urdfdom REQUIRED IMPORTED_TARGET urdfdom)
-  pkg_check_modules(tinyxml REQUIRED IMPORTED_TARGET tinyxml)  # what urdfdom reads XML with
+  pkg_check_modules(tinyxml2 REQUIRED IMPORTED_TARGET tinyxml2)
+endif()
+if(HEXAGAIT_MESHES)
+  pkg_check_modules(assimp REQUIRED IMPORTED_TARGET assimp)
 endif()
 if(HEXAGAIT_SIM3D)
   pkg_check_modules(ode REQUIRED IMPORTED_TARGET ode)

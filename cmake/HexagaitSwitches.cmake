@@ -26,7 +26,8 @@ function(hexagait_check_switches)
 endfunction()
 
 # The controller needs Eigen and is always built. All else can be left out, with what it depends on.
-hexagait_switch(HEXAGAIT_URDF "Load robots from URDF; needs urdfdom" ON)
+hexagait_switch(HEXAGAIT_URDF "Load robots from URDF; needs tinyxml2" ON)
+hexagait_switch(HEXAGAIT_MESHES "Read the meshes of a URDF; needs assimp" ON HEXAGAIT_URDF)
 hexagait_switch(HEXAGAIT_ACTIONS "Load Free Gait actions from YAML, and walk; needs yaml-cpp and fmt" ON)
 hexagait_switch(HEXAGAIT_VERIFY "Prove the theorems on gaits case by case; needs fmt" ON)
 hexagait_switch(HEXAGAIT_SIM2D "The slice model and Genghis in two dimensions; needs Box2D" ON)

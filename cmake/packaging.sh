@@ -9,9 +9,9 @@ kComponents=(controller urdf actions verify sim sim2d sim3d walk statistics figu
 
 # The foreign libraries that a component, or a switch, may use; Eigen always.
 declare -A kForeign=(
-  [urdf]=urdfdom [actions]='fmt yaml-cpp' [verify]=fmt [sim2d]=box2d [sim3d]=ode
-  [walk]='fmt yaml-cpp' [figures]=fmt [recording]='fmt yaml-cpp box2d ode urdfdom'
-  [sweeps]='fmt yaml-cpp box2d ode urdfdom')
+  [urdf]='tinyxml2 assimp' [actions]='fmt yaml-cpp' [verify]=fmt [sim2d]=box2d [sim3d]=ode
+  [walk]='fmt yaml-cpp' [figures]=fmt [recording]='fmt yaml-cpp box2d ode tinyxml2 assimp'
+  [sweeps]='fmt yaml-cpp box2d ode tinyxml2 assimp')
 
 # hide_but LIBRARY…: prints options that hide all foreign libraries but these from find_package, and
 # leaves of pkg-config's files in build/visible those of these.
@@ -22,8 +22,7 @@ hide_but() {
   done
   rm -rf build/visible
   mkdir -p build/visible
-  [[ " $* " != *" urdfdom "* ]] || set -- "$@" tinyxml  # it reads XML with it, and so do we
-  for library in eigen3 console_bridge "$@"; do
+  for library in eigen3 "$@"; do
     for file in /usr/{lib,lib/*,share}/pkgconfig/"$library"*.pc; do
       [[ ! -f $file ]] || sed "s|\${pcfiledir}|${file%/*}|" "$file" >"build/visible/${file##*/}"
     done
@@ -41,20 +40,22 @@ configure() {
 
 # Each combination of the switches that makes sense: what is off is not even looked for.
 check_combinations() {
-  local dir=build/combination urdf actions sim2d sim3d figures sweeps count=0 libraries hidden
+  local dir=build/combination urdf actions sim2d sim3d figures sweeps meshes count=0 libraries hidden
   for urdf in ON OFF; do for actions in ON OFF; do for sim2d in ON OFF; do for sim3d in ON OFF; do
     for figures in ON OFF; do for sweeps in ON OFF; do
       [[ $figures == OFF || $actions$sim2d$sim3d == ONONON ]] || continue
       [[ $sweeps == OFF || $figures$urdf == ONON ]] || continue
       libraries=()
-      [[ $urdf == OFF ]] || libraries+=(urdfdom fmt)  # fmt: verify, below
+      [[ $urdf == OFF ]] || libraries+=(tinyxml2 fmt)  # fmt: verify, below
+      meshes=OFF
+      [[ $urdf$actions != ONON ]] || { meshes=ON; libraries+=(assimp); }
       [[ $actions == OFF ]] || libraries+=(fmt yaml-cpp)
       [[ $sim2d == OFF ]] || libraries+=(box2d)
       [[ $sim3d == OFF ]] || libraries+=(ode)
       [[ $figures == OFF ]] || libraries+=(Boost nlohmann_json)
       mapfile -t hidden < <(hide_but "${libraries[@]}")
       rm -rf "$dir"
-      configure "$dir" "${hidden[@]}" -DHEXAGAIT_URDF=$urdf -DHEXAGAIT_VERIFY=$urdf \
+      configure "$dir" "${hidden[@]}" -DHEXAGAIT_URDF=$urdf -DHEXAGAIT_VERIFY=$urdf -DHEXAGAIT_MESHES=$meshes \
         -DHEXAGAIT_ACTIONS=$actions -DHEXAGAIT_SIM2D=$sim2d -DHEXAGAIT_SIM3D=$sim3d \
         -DHEXAGAIT_FIGURES=$figures -DHEXAGAIT_SWEEPS=$sweeps
       cmake --build "$dir"
@@ -62,15 +63,15 @@ check_combinations() {
     done; done
   done; done; done; done
   check_refusals
-  printf '%d combinations, 5 refused' "$count" >"$note"
+  printf '%d combinations, 6 refused' "$count" >"$note"
 }
 
 # What makes no sense is refused by one message that names both switches; alone, OFF takes along
 # what needs it.
 check_refusals() {
   local dir=build/combination pair said
-  hide_but fmt yaml-cpp box2d ode urdfdom >/dev/null
-  for pair in FIGURES:ACTIONS FIGURES:SIM2D FIGURES:SIM3D SWEEPS:FIGURES SWEEPS:URDF; do
+  hide_but fmt yaml-cpp box2d ode tinyxml2 assimp >/dev/null
+  for pair in FIGURES:ACTIONS FIGURES:SIM2D FIGURES:SIM3D SWEEPS:FIGURES SWEEPS:URDF MESHES:URDF; do
     rm -rf "$dir"
     if said=$(configure "$dir" "-DHEXAGAIT_${pair%:*}=ON" "-DHEXAGAIT_${pair#*:}=OFF" 2>&1); then
       printf 'not refused: %s\n' "$pair"
@@ -115,7 +116,7 @@ consume() {
     -DCMAKE_PREFIX_PATH="$prefix" -DCOMPONENTS="$components" "${hidden[@]}"
   cmake --build "$dir"
   ctest --test-dir "$dir" --output-on-failure
-  for pc in fmt yaml-cpp box2d ode urdfdom; do
+  for pc in fmt yaml-cpp box2d ode tinyxml2 assimp; do
     [[ " ${allowed[*]} " != *" $pc "* ]] || continue
     none grep -E "LINK_LIBRARIES.*lib$pc" "$dir/build.ninja"
     none grep "lib$pc" <(ldd "$dir/use_$component")
@@ -171,7 +172,7 @@ check_package() {
   (cd build/release && cpack -G DEB -B ../package)
   file=$(echo build/package/*.deb)
   depends=$(dpkg-deb -f "$file" Depends)
-  for package in libbox2d-dev libeigen3-dev libfmt-dev libode-dev liburdfdom-dev libyaml-cpp-dev libc6; do
+  for package in libbox2d-dev libeigen3-dev libfmt-dev libode-dev libtinyxml2-dev libassimp-dev libyaml-cpp-dev libc6; do
     [[ "$depends" == *"$package"* ]] || { printf 'no %s in: %s\n' "$package" "$depends"; return 1; }
   done
   [[ $(dpkg-deb -f "$file" Recommends) == gnuplot-nox ]]

@@ -27,8 +27,13 @@ bool is_sound(const RobotModel& robot) {
   for (const LegModel& leg : robot.legs) {
     if (!leg.p_BC.allFinite() || !(leg.workspace_radius > 0.0)) return false;
     for (const JointLimits& limits : leg.limits)
-      if (!(limits.lower < limits.upper) || !(limits.velocity > 0.0)) return false;
+      if (!(limits.lower < limits.upper) || !(limits.velocity > 0.0) || !(limits.effort > 0.0))
+        return false;
+    for (const LinkModel& link : leg.links)
+      if (!(link.mass > 0.0) || !link.p_LM.allFinite() || !(link.inertia_M_L.trace() > 0.0))
+        return false;
   }
+  if (robot.base.shapes.empty() || !(robot.foot_radius > 0.0)) return false;
   return std::isfinite(robot.mass) && stands(robot);
 }
 

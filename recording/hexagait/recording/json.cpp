@@ -171,6 +171,16 @@ std::string to_json(const WalkReport& report, const std::vector<std::string>& fi
 }
 
 std::string to_json(const RobotModel& robot) {
+  constexpr const char* kOrigins[] = {"derived", "substituted", "given", "left out"};
+  Json substitutions = Json::array();
+  for (const Substitution& s : robot.substitutions)
+    substitutions.push_back({{"origin", kOrigins[static_cast<int>(s.origin)]},
+                             {"element", s.element},
+                             {"line", s.line},
+                             {"what", s.what},
+                             {"found", s.found},
+                             {"used", s.used},
+                             {"option", s.option}});
   Json legs = Json::array();
   for (const LegModel& leg : robot.legs) legs.push_back(leg_json(leg));
   return Json{{"schema", kJsonSchema},
@@ -179,7 +189,8 @@ std::string to_json(const RobotModel& robot) {
               {"base_mass_kg", robot.base.mass},
               {"centre_of_mass_m", {robot.p_BM.x(), robot.p_BM.y(), robot.p_BM.z()}},
               {"foot_radius_m", robot.foot_radius},
-              {"legs", legs}}
+              {"legs", legs},
+              {"substitutions", substitutions}}
       .dump(kIndent);
 }
 

@@ -14,7 +14,10 @@ namespace {
 using figures::Csv;
 using Sample = Recording::Sample;
 
-// The corners of a box about a shape, in the body frame.
+Vector2 from_above(const Vector3& p_W) { return p_W.head<2>(); }
+
+}  // namespace
+
 std::array<Vector3, 8> corners(const Shape& shape) {
   Vector3 edges = shape.size;
   if (shape.kind == Shape::Kind::sphere) edges.setConstant(2.0 * shape.size.x());
@@ -29,7 +32,6 @@ std::array<Vector3, 8> corners(const Shape& shape) {
   return points;
 }
 
-// Hip, joints beyond the first, foot, in the world.
 std::vector<Vector3> leg_line(const LegModel& leg, const LegJoints& q, const Pose& X_WB,
                               const Vector3& p_WF) {
   std::vector<Vector3> points = {X_WB * leg.X_BH.p};
@@ -41,17 +43,12 @@ std::vector<Vector3> leg_line(const LegModel& leg, const LegJoints& q, const Pos
   return points;
 }
 
-Vector2 from_above(const Vector3& p_W) { return p_W.head<2>(); }
-
-// A closed line through the corners of a hull; one of no corners keeps its place with an empty row.
 void add_hull(Csv& csv, const SupportPolygon& hull) {
   for (int k = 0; k <= hull.size && hull.size > 0; ++k)
     csv.row(hull.vertices[static_cast<std::size_t>(k % hull.size)]);
   if (hull.size == 0) csv.row(Vector2(Vector2::Constant(std::nan(""))));
   csv.gap();
 }
-
-}  // namespace
 
 double RobotView::body_length() const {
   double length = 0.0;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/figures/csv.hpp>
 #include <hexagait/figures/panel.hpp>
 #include <hexagait/recording/recording.hpp>
@@ -11,6 +13,16 @@
 /// plane of z and the path along the commanded curves, which unrolls an arc. Tables for gnuplot; a
 /// blank line parts two curves.
 namespace hexagait::recording {
+
+/// The corners of a box about a shape, in the frame of its link [m].
+[[nodiscard]] std::array<Vector3, 8> corners(const Shape& shape);
+
+/// Hip, joints beyond the first, and the foot at p_WF, in the world [m].
+[[nodiscard]] std::vector<Vector3> leg_line(const LegModel& leg, const LegJoints& q,
+                                            const Pose& X_WB, const Vector3& p_WF);
+
+/// Adds a closed line through the corners of a hull; one of no corners keeps its place by an empty row.
+void add_hull(figures::Csv& csv, const SupportPolygon& hull);
 
 /// What is drawn of one walk.
 class RobotView {

@@ -107,6 +107,25 @@ struct LegModel {
   return name;
 }
 
+/// Where something of a robot comes from that does not stand in its file just so.
+enum class Origin : std::uint8_t {
+  derived,      ///< computed from what the file says
+  substituted,  ///< the file says nothing, or what can't be
+  given,        ///< by an option
+  left_out,     ///< it is in the file, and not used
+};
+
+/// A value of a robot that is not its file's.
+struct Substitution {
+  Origin origin = Origin::substituted;
+  std::string element;  ///< as "joint LF_yaw"
+  int line = 0;         ///< of the element in the file; 0: none
+  std::string what;     ///< as "velocity limit"
+  std::string found;    ///< as "0 rad/s" or "none"
+  std::string used;     ///< as "5 rad/s", with the rule
+  std::string option;   ///< that overrides it; empty: none
+};
+
 /// A legged robot. Body frame B: x forward, y left, z up, origin at the base link.
 struct RobotModel {
   std::string name;
@@ -117,6 +136,7 @@ struct RobotModel {
   Vector3 p_BM = Vector3::Zero();  ///< centre of mass in the nominal stance [m]
   /// Inertia about the centre of mass in the nominal stance, axes of B [kg m²].
   Matrix3 inertia_M_B = Matrix3::Zero();
+  std::vector<Substitution> substitutions;  ///< what of it its file does not say
 
   int num_legs() const { return legs.size(); }
 };

@@ -8,9 +8,14 @@
 namespace hexagait {
 
 void Violations::add(std::string_view element, std::string_view problem) {
-  std::string line = source_;
-  line.append(": ").append(element).append(": ").append(problem);
-  add_line(std::move(line));
+  add(0, element, problem);
+}
+
+void Violations::add(int line, std::string_view element, std::string_view problem) {
+  std::string text = source_;
+  if (line > 0) text.append(":").append(std::to_string(line));
+  text.append(": ").append(element).append(": ").append(problem);
+  add_line(std::move(text));
 }
 
 void Violations::add(const Mark& mark, std::string_view problem) {

@@ -22,6 +22,9 @@ class Violations {
   /// @throws InvalidInput  if it is the last that is listed
   void add(std::string_view element, std::string_view problem);
 
+  /// Adds the line "source:line: element: problem"; of line 0, as above.
+  void add(int line, std::string_view element, std::string_view problem);
+
   /// Adds the line "source:line:column: problem", unless it is there already: what is referred to
   /// twice is found twice. @throws InvalidInput  as above
   void add(const Mark& mark, std::string_view problem);

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <console_bridge/console.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -149,19 +148,6 @@ TEST(ParseUrdf, TakesAContinuousJointToTurnHalfATurnEachWay) {
   EXPECT_EQ(leg.limits[0].lower, -std::numbers::pi);
   EXPECT_EQ(leg.limits[0].upper, std::numbers::pi);
   EXPECT_EQ(leg.limits[0].effort, 120.0);
-}
-
-// urdfdom reports through a handler and a level that belong to the whole process.
-TEST(ParseUrdf, LeavesTheLogHandlerOfTheProcessAsItWas) {
-  const auto level = console_bridge::getLogLevel();
-  console_bridge::OutputHandlerSTD handler;
-  console_bridge::useOutputHandler(&handler);
-  console_bridge::setLogLevel(console_bridge::CONSOLE_BRIDGE_LOG_INFO);
-  EXPECT_THROW((void)parse_urdf("<html/>", "page"), InvalidInput);
-  EXPECT_EQ(console_bridge::getOutputHandler(), &handler);
-  EXPECT_EQ(console_bridge::getLogLevel(), console_bridge::CONSOLE_BRIDGE_LOG_INFO);
-  console_bridge::restorePreviousOutputHandler();
-  console_bridge::setLogLevel(level);
 }
 
 }  // namespace

@@ -27,21 +27,6 @@ std::string leg_name(const SerialChain& chain) {
   return last == std::string::npos ? first : name.substr(0, last + 1);
 }
 
-bool is_leg(const SerialChain& chain, const std::string& element, Violations& violations) {
-  const int joints = static_cast<int>(chain.joints.size());
-  const bool right_number = kMinLegJoints <= joints && joints <= kMaxLegJoints;
-  if (!right_number)
-    violations.add(element, "has " + std::to_string(joints) + " movable joints; a leg has " +
-                                std::to_string(kMinLegJoints) + " to " +
-                                std::to_string(kMaxLegJoints));
-  if (!chain.foot)
-    violations.add("link " + chain.links.back().name,
-                   "has no collision sphere; a leg ends in a spherical foot");
-  const auto has_axis = [](const TreeJoint& joint) { return !joint.axis_B0.isZero(); };
-  // That an axis is none is known since it was read.
-  return right_number && chain.foot && std::ranges::all_of(chain.joints, has_axis);
-}
-
 /// Three joints, and the directions of their axes are those of yaw, pitch, pitch.
 bool has_yaw_pitch_pitch_axes(const SerialChain& chain) {
   if (chain.joints.size() != 3) return false;
@@ -133,8 +118,7 @@ LegModel with_joints_of(const SerialChain& chain) {
 
 }  // namespace
 
-std::optional<LegModel> recognise_leg(const SerialChain& chain, Violations& violations) {
-  if (!is_leg(chain, "leg " + leg_name(chain), violations)) return std::nullopt;
+LegModel recognise_leg(const SerialChain& chain) {
   LegModel leg = with_joints_of(chain);
   if (has_yaw_pitch_pitch_axes(chain)) {
     derive_geometry(chain, leg);

@@ -7,7 +7,7 @@
 namespace hexagait {
 
 /// Recognises a leg from where its joint axes and its foot are with all joints zero, whatever the
-/// signs and zeros of the joints. Required: 3 to 6 joints and a foot.
+/// signs and zeros of the joints.
 ///
 /// It is yaw-pitch-pitch if, within 1e-4 (rad, or m), it has three joints; the yaw axis parallel to
 /// z of the body; both pitch axes horizontal and parallel to each other; the foot in the vertical
@@ -28,9 +28,7 @@ namespace hexagait {
 /// the body on which the hip is.
 ///
 /// Limits, links, axes and points are copied; the workspace is left empty.
-/// @param violations  receives what does not fit
-/// @returns nothing if the chain is no leg
-[[nodiscard]] std::optional<LegModel> recognise_leg(const SerialChain& chain,
-                                                    Violations& violations);
+/// @pre the chain has 3 to 6 joints, and a foot
+[[nodiscard]] LegModel recognise_leg(const SerialChain& chain);
 
 }  // namespace hexagait

@@ -2,16 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <urdf_model/model.h>
-
-#include <string>
+#include <hexagait/math/geometry.hpp>
 
 namespace hexagait {
 
-/// Computes the rotations of a model anew from the roll, pitch and yaw in its text. urdfdom computes
-/// them by the C library's sine and cosine, whose last bits depend on the processor: see
-/// trigonometry.hpp. Those of visual geometry, which is not used, are left as they are.
-/// @param xml  the text that urdfdom has made this model of
-void recompute_rotations(urdf::ModelInterface& model, const std::string& xml);
+/// The rotation Rz(yaw) Ry(pitch) Rx(roll) of a URDF's rpy [rad], as the product of three half-angle
+/// quaternions.
+[[nodiscard]] Matrix3 rotation_of(const Vector3& rpy);
 
 }  // namespace hexagait

@@ -8,8 +8,7 @@
 
 namespace hexagait {
 
-/// Limits of a URDF. urdfdom has none: it calls itself once per level of nesting, and takes time
-/// that grows with the square of the depth.
+/// Limits of a URDF, which bound the memory and the depth of calls of the XML parser.
 inline constexpr std::size_t kMaxUrdfText = 10'000'000;  ///< [bytes]
 inline constexpr int kMaxUrdfDepth = 64;                 ///< of nested elements
 inline constexpr std::size_t kMaxUrdfElements = 100'000;
