@@ -25,7 +25,8 @@ BaseGoal pose_adaptation(const BaseAutoCommand& command, const PoseAdaptationInp
 }
 
 // Path until the foot, which moves backwards along the arc, leaves the disc about its centre [m].
-// The arc is replaced by its tangent: short by less than 4 % of the stroke at r = 0.3 m.
+// The arc is replaced by its tangent: short by less than 4 % of the stroke at r = 0.3 m. Of a
+// correction: the share of it.
 double workspace_left(const Vector2& offset, const Vector2& direction, double radius) {
   const double speed2 = direction.squaredNorm();
   if (speed2 <= 0.0) return std::numeric_limits<double>::infinity();
@@ -160,18 +161,22 @@ BaseAutoCommand base_auto(const RobotModel& model, const PathArc& arc, const Exe
   BaseAutoCommand base;
   base.adaptation = pose_adaptation;
   base.path = arc.per_metre;
-  base.correction = deviation;
-  base.correction.v = kept_inside(deviation.v, stance, X_OB.R, params.stability_margin) +
-                      back_over_the_feet(stance, X_OB.R);
+  const PlanarTwist correction{kept_inside(deviation.v, stance, X_OB.R, params.stability_margin),
+                               deviation.w};
+  double share = 1.0;  // of the correction, until a standing foot leaves its workspace
   base.max_advance = stability_left(stance, params.stability_margin);
   for (LegId i = 0; i < model.num_legs(); ++i) {
     if (!support.contains(i)) continue;
     const Vector3& p_BF = executor.legs()[i].p_BF;
     const Vector2 offset = (p_BF - model.legs[i].p_BC).head<2>();
+    const Vector2 back = correction.v + correction.w * perpendicular(p_BF.head<2>());
+    const double radius = kUsableShare * model.legs[i].workspace_radius;
     base.max_advance =
-        std::min(base.max_advance, workspace_left(offset, direction_at(arc, p_BF),
-                                                  kUsableShare * model.legs[i].workspace_radius));
+        std::min(base.max_advance, workspace_left(offset, direction_at(arc, p_BF), radius));
+    share = std::min(share, workspace_left(offset, back, radius));
   }
+  base.correction = {share * correction.v + back_over_the_feet(stance, X_OB.R),
+                     share * correction.w};
   return base;
 }
 

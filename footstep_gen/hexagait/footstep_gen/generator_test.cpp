@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/footstep_gen/generator.hpp>
+#include <limits>
 #include <numbers>
 #include <testing/kinematic_plant.hpp>
 
@@ -28,7 +30,8 @@ struct Stance {
   RobotState state;
   Executor executor{robot, {}};
 
-  explicit Stance(const Offsets& offset = shift_of_all(Vector3::Zero())) {
+  // Not inlined: GCC 12 would warn that unused elements are copied uninitialised.
+  [[gnu::noinline]] explicit Stance(const Offsets& offset = shift_of_all(Vector3::Zero())) {
     state.q = LegArray<LegJoints>(6);
     state.p_BF = state.p_OF = state.print_O = LegArray<Vector3>(6);
     state.trig = LegArray<LegTrig>(6);
@@ -36,6 +39,13 @@ struct Stance {
     state.X_OB = {rotation_z(0.6), {2.0, -1.0, 0.32}};
     for (LegId i = 0; i < 6; ++i) {
       state.p_BF[i] = robot.legs[i].p_BC + offset[static_cast<std::size_t>(i)];
+    }
+    place();
+  }
+
+  // The feet where p_BF says.
+  void place() {
+    for (LegId i = 0; i < 6; ++i) {
       state.q[i] = inverse_kinematics(robot.legs[i], state.p_BF[i]).q;
       state.trig[i] = leg_trig(robot.legs[i], state.q[i]);
       state.print_O[i] = state.p_OF[i] = state.X_OB * state.p_BF[i];
@@ -252,6 +262,88 @@ TEST(BaseCommand, AsksForTheBodyToBeOverItsFeet) {
 }
 
 // Mirrored: the turn's sign, y of feet and footholds.
+// Anywhere within the workspaces, on uneven ground, tilted by up to 5°.
+void place_at_random(Stance& stance, RandomSequence& random) {
+  stance.state.X_OB.R *=
+      rotation(Vector3(random.uniform(-0.08, 0.08), random.uniform(-0.08, 0.08), 0.0));
+  for (LegId i = 0; i < 6; ++i) {
+    const LegModel& leg = stance.robot.legs[i];
+    const double r = 0.97 * leg.workspace_radius * std::sqrt(random.u01());
+    stance.state.p_BF[i] = leg.p_BC + rotation_z(random.uniform(-kPi, kPi)) *
+                                          Vector3(r, 0.0, random.uniform(-0.08, 0.08));
+  }
+  stance.place();
+}
+
+double margin(const Stance& stance) {
+  return stability_margin(support_polygon(stance.state.p_OF, stance.executor.support()),
+                          (stance.state.X_OB * stance.robot.p_BM).head<2>());
+}
+
+struct Least {
+  double margin = std::numeric_limits<double>::infinity();  // [m]
+  bool in_reach = true;                                     // each foot that stands
+};
+
+// The base moves for 1.5 s as it is told, without slip; its place on the path is `off` away.
+Least move_base(Stance& stance, const PathArc& arc, const PlanarTwist& off, double dt) {
+  RobotState& state = stance.state;
+  const Pose X_OG = state.X_OB * Pose{rotation_z(off.w), {off.v.x(), off.v.y(), 0.0}};
+  Least least;
+  for (double t = 0.0; t < 1.5; t += dt) {
+    const Pose X_BG = state.X_OB.inverse() * X_OG;
+    const PlanarTwist deviation{X_BG.p.head<2>(), std::atan2(X_BG.R(1, 0), X_BG.R(0, 0))};
+    stance.executor.command(
+        base_auto(stance.robot, arc, stance.executor, state.X_OB, deviation, {}));
+    stance.executor.advance(state, dt);
+    const Twist V = stance.executor.base().twist();
+    state.X_OB = state.X_OB * Pose{rotation(V.w * dt), dt * V.v + 0.5 * dt * dt * V.w.cross(V.v)};
+    for (LegId i = 0; i < 6; ++i) {
+      if (!stance.executor.legs()[i].on_ground()) continue;
+      state.p_BF[i] = state.X_OB.inverse() * state.p_OF[i];
+      if (!inverse_kinematics(stance.robot.legs[i], state.p_BF[i]).reachable)
+        least.in_reach = false;
+    }
+    least.margin = std::min(least.margin, margin(stance));
+  }
+  return least;
+}
+
+// The arc, or the same arc backwards, on which the legs ask for an advance and not for a retreat.
+PathArc way_ahead(const Stance& stance, double r, double alpha) {
+  const PathArc arc = stance.arc(Heading::arc(r, alpha));
+  const BaseAutoCommand base =
+      base_auto(stance.robot, arc, stance.executor, stance.state.X_OB, {}, {});
+  const BaseGoal goal = base.adaptation(base, stance.executor.pose_adaptation_input(stance.state));
+  return goal.advance >= 0.0 ? arc : stance.arc(Heading::arc(-r, alpha + kPi));
+}
+
+// Wherever the base is told to go and however it stands, no standing foot goes where its leg does
+// not reach, and the margin does not fall below what it is to be: by no more than the way in which
+// the base brakes while it turns, 3 mm, and the corrections that are made each period.
+TEST(BaseCommand, LeavesStandingFeetInReachAndTheCentreOfMassInside) {
+  const LegSet in_the_air[] = {LegSet(), LegSet(0b100110), LegSet(0b000001)};
+  for (const double dt : {0.005, 0.02}) {
+    for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+      RandomSequence random{.seed = seed};
+      Stance stance;
+      place_at_random(stance, random);
+      for (LegId i = 0; i < 6; ++i) {
+        if (!in_the_air[seed % 3].contains(i)) continue;
+        stance.lift({i});
+        stance.state.contact[i] = false;
+      }
+      const PathArc arc = way_ahead(stance, random.uniform(0.3, 3.0), random.uniform(-kPi, kPi));
+      const PlanarTwist off{{random.uniform(-0.15, 0.15), random.uniform(-0.15, 0.15)},
+                            random.uniform(-0.2, 0.2)};
+      const double to_be = std::min(margin(stance), StepParams{}.stability_margin);
+      const Least least = move_base(stance, arc, off, dt);
+      EXPECT_TRUE(least.in_reach) << dt << " " << seed;
+      EXPECT_GT(least.margin, to_be - 0.003 - 0.1 * dt) << dt << " " << seed;
+    }
+  }
+}
+
 TEST(FootstepOf, MirrorsLeftAndRight) {
   Stance stance;
   const PathArc left = stance.arc(Heading::arc(0.8, 0.3)),
