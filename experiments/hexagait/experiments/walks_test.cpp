@@ -107,8 +107,8 @@ TEST(JudgeFirstWalk, WantsThePathAndAccountsForFlightsAndLosses) {
     std::vector<JudgedWalk> walks(3, well_walked("first walk"));
     for (JudgedWalk& walk : walks) {
       walk.summary.steps = 50;
-      walk.summary.neighbour_flight = 0.7;
-      walk.summary.real_contact_losses = 6;
+      walk.summary.neighbour_flight = 0.3;
+      walk.summary.real_contact_losses = 2;
       change(walk.summary);
     }
     return judge_first_walk(walks).word();
@@ -117,9 +117,9 @@ TEST(JudgeFirstWalk, WantsThePathAndAccountsForFlightsAndLosses) {
   EXPECT_EQ(word([](auto& s) { s.fell = true; }), "FAILS");
   EXPECT_EQ(word([](auto& s) { s.stuck = true; }), "FAILS");
   EXPECT_EQ(word([](auto& s) { s.lateral_mean = 0.031; }), "FAILS");
-  EXPECT_EQ(word([](auto& s) { s.neighbour_flight = 1.6; }), "FAILS");
+  EXPECT_EQ(word([](auto& s) { s.neighbour_flight = 0.7; }), "FAILS");
   EXPECT_EQ(word([](auto& s) { s.neighbour_flight = 0.05; }), "FAILS") << "unexpectedly";
-  EXPECT_EQ(word([](auto& s) { s.real_contact_losses = 11; }), "FAILS");
+  EXPECT_EQ(word([](auto& s) { s.real_contact_losses = 6; }), "FAILS");
   EXPECT_EQ(word([](auto& s) { s.contact_losses = 40; }), "as expected, does not hold")
       << "bounces";
 }

@@ -70,15 +70,17 @@ Stance stance_of(const RobotModel& model, const PathArc& arc, const Executor& ex
   return stance;
 }
 
-// Path until the centre of mass comes closer than `margin` to an edge of the support polygon [m].
+// Path, ahead (sense 1) or back (−1), until the centre of mass comes closer than `margin` to an edge
+// of the support polygon [m].
 // The body turns little within a step, so its path is taken to be straight. Two feet hold the body
 // for as long as it stays near the line between them: until it is `margin` beyond it.
-double stability_left(const Stance& stance, double margin) {
+double stability_left(const Stance& stance, double margin, double sense) {
   if (stance.edges.size() < 2) return 0.0;
   const double least = stance.has_inside() ? margin : -margin;
   double left = std::numeric_limits<double>::infinity();
   for (const Edge& edge : stance.edges)
-    if (edge.approach > 0.0) left = std::min(left, (edge.distance - least) / edge.approach);
+    if (sense * edge.approach > 0.0)
+      left = std::min(left, (edge.distance - least) / (sense * edge.approach));
   return std::max(0.0, left);
 }
 
@@ -164,17 +166,21 @@ BaseAutoCommand base_auto(const RobotModel& model, const PathArc& arc, const Exe
   const PlanarTwist correction{kept_inside(deviation.v, stance, X_OB.R, params.stability_margin),
                                deviation.w};
   double share = 1.0;  // of the correction, until a standing foot leaves its workspace
-  base.max_advance = stability_left(stance, params.stability_margin);
+  double ahead = stability_left(stance, params.stability_margin, 1.0);
+  double back = stability_left(stance, params.stability_margin, -1.0);
   for (LegId i = 0; i < model.num_legs(); ++i) {
     if (!support.contains(i)) continue;
     const Vector3& p_BF = executor.legs()[i].p_BF;
     const Vector2 offset = (p_BF - model.legs[i].p_BC).head<2>();
-    const Vector2 back = correction.v + correction.w * perpendicular(p_BF.head<2>());
+    const Vector2 corrected = correction.v + correction.w * perpendicular(p_BF.head<2>());
+    const Vector2 direction = direction_at(arc, p_BF);
     const double radius = kUsableShare * model.legs[i].workspace_radius;
-    base.max_advance =
-        std::min(base.max_advance, workspace_left(offset, direction_at(arc, p_BF), radius));
-    share = std::min(share, workspace_left(offset, back, radius));
+    ahead = std::min(ahead, workspace_left(offset, direction, radius));
+    back = std::min(back, workspace_left(offset, -direction, radius));
+    share = std::min(share, workspace_left(offset, corrected, radius));
   }
+  base.max_advance = ahead;
+  base.min_advance = -back;
   base.correction = {share * correction.v + back_over_the_feet(stance, X_OB.R),
                      share * correction.w};
   return base;

@@ -184,6 +184,25 @@ TEST(BaseCommand, KeepsTheCentreOfMassWithinTheFeet) {
   EXPECT_NEAR(limit(0.0, 0.03), 0.98 * stance.robot.legs[0].workspace_radius, 1e-9);
 }
 
+// What bounds the base on its way back is what bounds it on the way ahead of the reverse heading.
+TEST(BaseCommand, BoundsTheWayBackLikeTheWayAhead) {
+  RandomSequence random{.seed = 11};
+  for (int trial = 0; trial < 200; ++trial) {
+    Stance stance = shifted(Vector3(random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1), 0.0));
+    if (trial % 3 != 0)
+      stance.lift(trial % 3 == 1 ? std::initializer_list<LegId>{0, 3, 4}
+                                 : std::initializer_list<LegId>{4});
+    const double alpha = random.uniform(-kPi, kPi);
+    const auto command = [&](double along) {
+      return base_auto(stance.robot, stance.arc(Heading::straight(along)), stance.executor,
+                       stance.state.X_OB, {}, {});
+    };
+    const BaseAutoCommand there = command(alpha), reverse = command(alpha + kPi);
+    EXPECT_NEAR(-there.min_advance, reverse.max_advance, 1e-9) << trial;
+    EXPECT_NEAR(-reverse.min_advance, there.max_advance, 1e-9) << trial;
+  }
+}
+
 // Where only the polygon limits: the front edge is at the front feet's x = 0.35, the centre of mass
 // at 0 stops 0.25 m before it. (Half a metre of margin would leave nothing.)
 TEST(BaseCommand, KeepsItsMarginFromTheEdgeAhead) {
@@ -261,7 +280,6 @@ TEST(BaseCommand, AsksForTheBodyToBeOverItsFeet) {
   EXPECT_EQ(base.correction.w, 0.03);
 }
 
-// Mirrored: the turn's sign, y of feet and footholds.
 // Anywhere within the workspaces, on uneven ground, tilted by up to 5°.
 void place_at_random(Stance& stance, RandomSequence& random) {
   stance.state.X_OB.R *=
@@ -309,15 +327,6 @@ Least move_base(Stance& stance, const PathArc& arc, const PlanarTwist& off, doub
   return least;
 }
 
-// The arc, or the same arc backwards, on which the legs ask for an advance and not for a retreat.
-PathArc way_ahead(const Stance& stance, double r, double alpha) {
-  const PathArc arc = stance.arc(Heading::arc(r, alpha));
-  const BaseAutoCommand base =
-      base_auto(stance.robot, arc, stance.executor, stance.state.X_OB, {}, {});
-  const BaseGoal goal = base.adaptation(base, stance.executor.pose_adaptation_input(stance.state));
-  return goal.advance >= 0.0 ? arc : stance.arc(Heading::arc(-r, alpha + kPi));
-}
-
 // Wherever the base is told to go and however it stands, no standing foot goes where its leg does
 // not reach, and the margin does not fall below what it is to be: by no more than the way in which
 // the base brakes while it turns, 3 mm, and the corrections that are made each period.
@@ -333,7 +342,8 @@ TEST(BaseCommand, LeavesStandingFeetInReachAndTheCentreOfMassInside) {
         stance.lift({i});
         stance.state.contact[i] = false;
       }
-      const PathArc arc = way_ahead(stance, random.uniform(0.3, 3.0), random.uniform(-kPi, kPi));
+      const PathArc arc =
+          stance.arc(Heading::arc(random.uniform(0.3, 3.0), random.uniform(-kPi, kPi)));
       const PlanarTwist off{{random.uniform(-0.15, 0.15), random.uniform(-0.15, 0.15)},
                             random.uniform(-0.2, 0.2)};
       const double to_be = std::min(margin(stance), StepParams{}.stability_margin);
@@ -344,6 +354,7 @@ TEST(BaseCommand, LeavesStandingFeetInReachAndTheCentreOfMassInside) {
   }
 }
 
+// Mirrored: the turn's sign, y of feet and footholds.
 TEST(FootstepOf, MirrorsLeftAndRight) {
   Stance stance;
   const PathArc left = stance.arc(Heading::arc(0.8, 0.3)),

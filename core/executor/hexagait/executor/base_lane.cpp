@@ -12,7 +12,7 @@ double clamped(double value, double bound) { return std::clamp(value, -bound, bo
 
 PlanarTwist wanted_velocity(const BaseAutoCommand& command, const BaseGoal& goal, double dt,
                             const BaseParams& params) {
-  const double advance = std::min(goal.advance, command.max_advance);
+  const double advance = std::max(std::min(goal.advance, command.max_advance), command.min_advance);
   const double speed = approach_speed(advance, params.acceleration, params.advance_rate,
                                       std::min(params.max_speed, command.max_speed), dt);
 

@@ -48,7 +48,9 @@ struct BaseAutoCommand {
   PoseAdaptation adaptation = nullptr;  ///< null: the base stays where it is
   PlanarTwist path;                     ///< twist along the commanded path, per metre of path
   PlanarTwist correction;               ///< displacement back to the path [m, rad]
-  double max_advance = std::numeric_limits<double>::infinity();  ///< [m of path]
+  /// How far the base may go along the path, and back [m of path]; 0 is between them.
+  double max_advance = std::numeric_limits<double>::infinity();
+  double min_advance = -std::numeric_limits<double>::infinity();
   double max_speed = std::numeric_limits<double>::infinity();    ///< along the path [m/s]
 };
 
