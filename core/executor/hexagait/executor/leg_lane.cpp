@@ -310,7 +310,6 @@ void command(LegLane& lane, const LegPlan& plan, const Pose& X_OB) noexcept {
   lane.normal_O = plan.normal_O;
   lane.with_body = plan.with_body();
   lane.lost = lane.exhausted = false;
-  lane.waited = 0.0;
   lane.after_unload = LegPhase::follow;
   lane.p_plan = plan.foot.at(0.0).p;
   begin_step(lane, stood ? LegPhase::unload : LegPhase::follow, X_OB);
@@ -322,14 +321,10 @@ void follow(LegLane& lane, LegPlan& plan, const LegSensed& sensed, const Pose& X
   lane.lifted = false;
   ramp(lane.load, 0.0, dt / params.unload_time);
   lane.cleared = lane.cleared || !sensed.contact;
-  // Contact stops the foot at once; whether it was the ground shows while it lasts. Contacts that
-  // come and go add up: no foot waits longer.
+  // Contact stops the foot at once; whether it was the ground shows while it lasts.
   const bool touches = plan.lands && sensed.contact && lane.cleared && comes_down(lane, plan, X_OB);
-  if (touches && elapsed(lane.waited, params.touch_time)) return land(lane, dt, params);
-  if (touches) {
-    lane.waited += dt;
-    rate = 0.0;
-  }
+  if (touches && elapsed(lane.with_contact, params.touch_time)) return land(lane, dt, params);
+  if (touches) rate = 0.0;
 
   lane.time = std::min(lane.time + rate * dt, plan.duration);
   if (plan.kind == LegPlan::Kind::foot) follow_curve(lane, plan, X_OB, dt, rate, params);

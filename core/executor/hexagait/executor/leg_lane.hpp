@@ -113,7 +113,6 @@ struct LegLane {
   LegPhase after_unload = LegPhase::lift;
   Vector3 normal_O = Vector3::UnitZ();  ///< of the ground that is expected
   bool with_body = false;               ///< the plan is in the body frame, or in joints
-  double waited = 0.0;                  ///< since it began, on contacts not believed yet [s]
   bool lost = false;                    ///< searches for ground that it stood on
   Vector3 p_plan = Vector3::Zero();     ///< present point of the foot's plan, in its frame [m]
   bool exhausted = false;               ///< the search failed: out of reach, or too long
