@@ -54,49 +54,6 @@ TEST(Contact, DoesNotStopAFootThatIsToIgnoreIt) {
   EXPECT_FALSE(robot.record().desired.support.contains(0));
 }
 
-// Steps forward; one sample of contact at a share of the way is a lie.
-struct Lie {
-  Vector3 foot;        // where it stands at last
-  double seconds;      // that it took
-  bool stood = false;  // before it was down
-};
-Lie step_with_lie(double dt, double share) {
-  RunnerParams params;
-  params.control_dt = dt;
-  ScriptedRobot robot(argos(), params);
-  const Vector3 target = robot.foot(0) + forward(0.08);
-  robot.runner.submit(steps({step({{footstep(0, target), {}}})}));
-  Lie result{};
-  bool lied = false;
-  robot.finish([&](const ActionRecord&) {
-    const LegLane& lane = robot.lane(0);
-    const bool in_air = lane.phase == LegPhase::follow && robot.foot(0).z() > target.z() + 0.01;
-    const bool lies =
-        !lied && in_air && lane.time >= share * robot.runner.executor().plans()[0].duration;
-    robot.touch[0] = lies ? Touch::something : Touch::as_the_ground_is;
-    lied = lied || lies;
-    result.stood =
-        result.stood || (lied && lane.on_ground() && robot.foot(0).z() > target.z() + 0.01);
-  });
-  expect_result(robot.record().result, Outcome::succeeded, Cause::none, 1, -1);
-  result.foot = robot.foot(0);
-  result.seconds = robot.measurement.time;
-  return result;
-}
-
-// It costs the tick that it lasts, and the foot stands where it was to, at any instant and period.
-TEST(Contact, OfAnInstantEndsNoMotion) {
-  for (const double dt : {0.002, 0.005, 0.02}) {
-    const Lie honest = step_with_lie(dt, 2.0);
-    for (double share = 0.3; share < 0.9; share += 0.05) {
-      const Lie lie = step_with_lie(dt, share);
-      EXPECT_FALSE(lie.stood) << dt << " " << share;
-      EXPECT_LT((lie.foot - honest.foot).norm(), 2e-4) << dt << " " << share;
-      EXPECT_LE(lie.seconds, honest.seconds + 1.5 * dt) << dt << " " << share;
-    }
-  }
-}
-
 // Ground 4 cm lower than expected: the step waits for the foot, which goes straight on along the
 // normal. At 0.15 m/s that takes about a quarter of a second.
 TEST(Contact, ComingLateMakesTheStepWait) {

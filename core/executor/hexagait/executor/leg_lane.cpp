@@ -217,14 +217,6 @@ Vector3 descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X
   return way_O;
 }
 
-// Is a foot with a plan on its way down, or in the second half of it?
-bool comes_down(const LegLane& lane, LegPlan& plan, const Pose& X_OB) {
-  if (lane.time > 0.5 * plan.duration) return true;
-  if (plan.kind != LegPlan::Kind::foot) return lane.v_O.dot(lane.normal_O) < 0.0;
-  const Vector3 v = plan.foot.along(lane.time).v;
-  return (plan.in_body ? Vector3(X_OB.R * v) : v).dot(lane.normal_O) < 0.0;
-}
-
 // (plan 1)
 void follow_curve(LegLane& lane, LegPlan& plan, const Pose& X_OB, double dt, double rate,
                   const SwingParams& params) {
@@ -321,18 +313,16 @@ void follow(LegLane& lane, LegPlan& plan, const LegSensed& sensed, const Pose& X
   lane.lifted = false;
   ramp(lane.load, 0.0, dt / params.unload_time);
   lane.cleared = lane.cleared || !sensed.contact;
-  // Contact stops the foot at once; whether it was the ground shows while it lasts.
-  const bool touches = plan.lands && sensed.contact && lane.cleared && comes_down(lane, plan, X_OB);
-  if (touches && elapsed(lane.with_contact, params.touch_time)) return land(lane, dt, params);
-  if (touches) rate = 0.0;
-
   lane.time = std::min(lane.time + rate * dt, plan.duration);
   if (plan.kind == LegPlan::Kind::foot) follow_curve(lane, plan, X_OB, dt, rate, params);
   if (plan.kind == LegPlan::Kind::keep) lane.v_O.setZero();
   if (plan.kind != LegPlan::Kind::foot) lane.a_O.setZero();
 
-  if (lane.time < plan.duration) return;
-  if (plan.lands && sensed.contact) return land(lane, dt, params);
+  const bool ended = lane.time >= plan.duration;
+  const bool coming_down = lane.v_O.dot(lane.normal_O) < 0.0 || lane.time > 0.5 * plan.duration;
+  if (plan.lands && sensed.contact && (ended || (lane.cleared && coming_down)))
+    return land(lane, dt, params);
+  if (!ended) return;
   enter(lane, plan.lands ? LegPhase::search : LegPhase::hold);
 }
 
