@@ -153,9 +153,9 @@ void command(LegLane& lane, const FootstepCommand& step, const Pose& X_OB) noexc
 /// Starts a plan. A standing leg hands its load over first.
 void command(LegLane& lane, const LegPlan& plan, const Pose& X_OB) noexcept;
 
-/// One tick of LegPhase::follow. Once the foot has left the ground and either moves down or half of
-/// the plan has passed, contact stops a plan that lands, and ends it when it is believed. A plan that
-/// lands and ends without contact continues as a search.
+/// One tick of LegPhase::follow. Contact ends a plan that lands, once the foot has left the ground
+/// and either moves down or half of the plan has passed. A plan that lands and ends without contact
+/// continues as a search.
 /// @param dt    control period [s]
 /// @param rate  of the plan's time: 1 as planned, 0 paused
 void follow(LegLane& lane, LegPlan& plan, const LegSensed& sensed, const Pose& X_OB, double dt,

@@ -198,16 +198,6 @@ class Play {
 
   bool executor_reaches(LegId leg) const { return robot_.runner.executor().reachable(leg); }
 
-  // A foot on its way to the ground waits while it touches something, until that is believed.
-  bool waits(const ActionRecord& record) const {
-    bool touches = false;
-    for (LegId i = 0; i < model_.num_legs(); ++i)
-      touches =
-          touches || (record.legs[i].phase == LegPhase::follow && robot_.measurement.contact[i] &&
-                      robot_.runner.executor().plans()[i].lands);
-    return touches;
-  }
-
   // A step lasts as long as was planned, and in addition at most: pauses, load transfer; one search
   // for the ground, then all that counts as regaining contact; a stop at most three searches.
   void judge_time(const ActionRecord& record) {
@@ -217,8 +207,7 @@ class Play {
     const bool stops = record.feedback.status == ActionStatus::stopping;
     if (!same) time_ = stop_ = 0.0;
     if (step_ == 0) return;
-    if (record.feedback.status != ActionStatus::paused && !waits(record))
-      (stops ? stop_ : time_) += robot_.dt();
+    if (record.feedback.status != ActionStatus::paused) (stops ? stop_ : time_) += robot_.dt();
     const RunnerParams& params = robot_.runner.params();
     const SwingParams& swing = params.executor.swing;
     const double late = 1.03 * (record.feedback.duration + params.sequencer.regain_limit);
