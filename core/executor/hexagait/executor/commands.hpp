@@ -51,7 +51,7 @@ struct BaseAutoCommand {
   /// How far the base may go along the path, and back [m of path]; 0 is between them.
   double max_advance = std::numeric_limits<double>::infinity();
   double min_advance = -std::numeric_limits<double>::infinity();
-  double max_speed = std::numeric_limits<double>::infinity();    ///< along the path [m/s]
+  double max_speed = std::numeric_limits<double>::infinity();  ///< along the path [m/s]
 };
 
 }  // namespace hexagait
