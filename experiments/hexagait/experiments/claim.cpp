@@ -132,7 +132,7 @@ std::vector<Verdict> judged_in_full_only(std::vector<Verdict> verdicts, bool sho
   return verdicts;
 }
 
-Verdict only_told(Verdict verdict, std::string why) {
+Verdict only_told(const Verdict& verdict, std::string why) {
   std::vector<std::string> told;
   for (const SafetyCheck& safe : verdict.safety) told.push_back(to_string(safe.check().measured()));
   for (const Check& check : verdict.checks) told.push_back(to_string(check.measured()));

@@ -136,6 +136,6 @@ struct Verdict {
 /// The claim where it was not made, as on another plant: nothing is judged, safety neither, and what
 /// was measured is a remark.
 /// @param why  one clause, no full stop
-[[nodiscard]] Verdict only_told(Verdict verdict, std::string why);
+[[nodiscard]] Verdict only_told(const Verdict& verdict, std::string why);
 
 }  // namespace hexagait::experiments

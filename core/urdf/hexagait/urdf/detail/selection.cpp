@@ -216,6 +216,7 @@ std::vector<Verdict> judge(const UrdfFile& file, const RobotTree& tree,
   int fewest = kMinLegJoints;
   const double length = usual_length(all, fewest);
   std::vector<Verdict> verdicts;
+  verdicts.reserve(all.size());
   for (const Measured& m : all) verdicts.push_back(verdict(m, bottom, length, fewest));
   leave_out_the_odd(tree, all, length, options, verdicts);
   return verdicts;
