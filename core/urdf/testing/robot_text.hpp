@@ -118,8 +118,8 @@ struct RobotText {
   }
 
   [[nodiscard]] bool is_ring() const {
-    return std::abs(hips[0].norm() - hips[1].norm()) < 1e-9 &&
-           std::abs(hips[1].norm() - hips[2].norm()) < 1e-9 && hips.size() > 4;
+    return hips.size() > 4 && std::abs(hips[0].norm() - hips[1].norm()) < 1e-9 &&
+           std::abs(hips[1].norm() - hips[2].norm()) < 1e-9;
   }
 
   [[nodiscard]] std::string text() const {
