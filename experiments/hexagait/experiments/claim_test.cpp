@@ -152,7 +152,8 @@ TEST(Measured, SaysHowWellAProportionIsKnown) {
   EXPECT_EQ(to_string(Measured("speed", "m/s", kNaN)), "speed: not measured");
 }
 
-// Only a short form, or another plant, may leave a claim unjudged, and an experiment without claims shows nothing.
+// Only a short form, or another plant, may leave a claim unjudged, and an experiment without claims
+// shows nothing.
 TEST(Manifest, IsAccountedForIfEachOfItsClaimsIs) {
   Manifest manifest;
   EXPECT_FALSE(manifest.is_accounted_for());

@@ -24,7 +24,7 @@ Manifest run(const Experiment& experiment, const ExperimentContext& context, con
   manifest.plant = context.plant;
   if (!context.plant.is_ideal())
     for (Verdict& verdict : manifest.outcome.verdicts)
-      verdict = only_told(std::move(verdict), "it is a claim about the ideal plant");
+      verdict = only_told(verdict, "it is a claim about the ideal plant");
   const Outcome& outcome = manifest.outcome;
   manifest.provenance = outcome.walk ? recording::provenance(outcome.walk->robot, *context.robot,
                                                              outcome.walk->simulation)
