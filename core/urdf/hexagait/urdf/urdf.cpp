@@ -29,9 +29,7 @@ struct Recognition {
   Violations violations;
   std::vector<Substitution> substitutions = {};
 
-  [[nodiscard]] const FileJoint& joint(int i) const {
-    return file.joints[static_cast<std::size_t>(i)];
-  }
+  [[nodiscard]] const FileJoint& joint(int i) const { return file.joint(i); }
 };
 
 void scale_lengths(double scale, UrdfFile& file) {
@@ -125,7 +123,7 @@ void check_names(Recognition& r, const RobotTree& tree) {
   for (const auto& [name, place] : r.options.feet) {
     const auto ends_in_it = [&r, &name = name](const SerialChain& chain) {
       return std::ranges::any_of(chain.parts.back().parts, [&](const LinkParts::Part& part) {
-        return r.file.links[static_cast<std::size_t>(part.link)].name == name;
+        return r.file.link(part.link).name == name;
       });
     };
     if (std::ranges::none_of(tree.chains, ends_in_it))

@@ -4,6 +4,7 @@
 #include <hexagait/text/violations.hpp>
 #include <hexagait/urdf/detail/body_frame.hpp>
 #include <hexagait/urdf/detail/feet.hpp>
+#include <hexagait/urdf/detail/rounded.hpp>
 #include <hexagait/urdf/detail/symmetry.hpp>
 
 namespace hexagait {
@@ -12,10 +13,6 @@ namespace {
 constexpr double kMuchFlatter = 3.0;
 constexpr double kOffPlane = 0.02, kOffMiddle = 0.25;  // of the layout's radius
 constexpr double kOffHeight = 0.5;                     // of a leg's length
-
-std::string degrees(double radians) {
-  return in_words(std::round(10.0 * radians * 180.0 / std::numbers::pi) / 10.0 + 0.0) + "°";
-}
 
 std::string point_in_words(const Vector3& p) {
   std::string text = "(";
@@ -137,7 +134,7 @@ void settle_body_shape(const UrdfFile& file, Meshes& meshes, RobotTree& tree,
   }
   const Vector3 size = bounds.size().cwiseMax(1e-3);
   tree.base.shapes.push_back({Shape::Kind::box, size, {Matrix3::Identity(), bounds.middle()}});
-  const FileLink& link = file.links[static_cast<std::size_t>(tree.base_parts.parts.front().link)];
+  const FileLink& link = tree.base_parts.link_in(file);
   substitutions.push_back({Origin::substituted, "link " + link.name, link.line, "shape of the body",
                            "none",
                            "the bounding box of its " + of + ", " + in_words(size.x()) + " × " +

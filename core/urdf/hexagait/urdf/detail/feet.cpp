@@ -39,7 +39,7 @@ Farthest farthest(const std::vector<LinkParts::Solid>& solids, Meshes& meshes) {
 std::optional<FoundFoot> given_foot(const UrdfFile& file, const LinkParts& parts,
                                     const UrdfOptions& options) {
   for (const LinkParts::Part& part : parts.parts) {
-    const FileLink& link = file.links[static_cast<std::size_t>(part.link)];
+    const FileLink& link = file.link(part.link);
     const auto given = options.feet.find(link.name);
     if (given != options.feet.end())
       return FoundFoot{FoundFoot::Rule::given, part.X_LP * given->second, {}, nullptr, link.line};
@@ -94,7 +94,7 @@ std::optional<FoundFoot> end_link_foot(const UrdfFile& file, const LinkParts& pa
   std::optional<FoundFoot> best;
   for (const LinkParts::Part& part : parts.parts) {
     if (!part.is_end || &part == &parts.parts.front()) continue;
-    const FileLink& link = file.links[static_cast<std::size_t>(part.link)];
+    const FileLink& link = file.link(part.link);
     std::optional<FoundFoot> found = end_shape(parts, part.link, meshes);
     const bool is_bare = link.collisions.empty() && link.visuals.empty();
     if (!found && is_bare)
@@ -141,7 +141,7 @@ std::optional<FoundFoot> find_foot(const UrdfFile& file, const SerialChain& chai
   const double stump = kStump * length_of(chain, tip.X_BL0.p);
   const auto foot = end_link_foot(file, parts, end.p_L.norm(), meshes);
   if (foot && foot->p_LF.norm() > stump) return foot;
-  const int line = file.links[static_cast<std::size_t>(parts.parts.front().link)].line;
+  const int line = parts.link_in(file).line;
   if (end.p_L.norm() > stump)
     return FoundFoot{
         FoundFoot::Rule::far_end, end.p_L, {}, end.solid->shape, end.solid->shape->line};

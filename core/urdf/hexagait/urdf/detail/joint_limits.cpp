@@ -57,7 +57,7 @@ void settle_drives(const UrdfFile& file, const UrdfOptions& options, RobotTree& 
     const double length = length_of(chain, chain.foot->p_BF0);
     const double speed = std::sqrt(kGravity / length), effort = mass * kGravity * length;
     for (TreeJoint& joint : chain.joints) {
-      const FileJoint& in_file = file.joints[static_cast<std::size_t>(joint.index)];
+      const FileJoint& in_file = file.joint(joint.index);
       JointLimits& limits = joint.limits;
       Substitution about{Origin::substituted, "joint " + joint.name, in_file.line, "", "", "", ""};
       about.what = "velocity limit", about.option = "--joint-speed";

@@ -26,12 +26,12 @@ class Search {
   }
 
  private:
-  const FileJoint& joint(int i) const { return file_.joints[static_cast<std::size_t>(i)]; }
+  const FileJoint& joint(int i) const { return file_.joint(i); }
 
   /// The joints that leave a link and what is fixed to it.
   JointChain departures(int link) const {
     JointChain found;
-    for (const int next : file_.links[static_cast<std::size_t>(link)].child_joints) {
+    for (const int next : file_.link(link).child_joints) {
       if (joint(next).type != FileJoint::Type::fixed) {
         found.push_back(next);
         continue;

@@ -5,18 +5,13 @@
 #include <hexagait/model/serial_stance.hpp>
 #include <hexagait/model/workspace.hpp>
 #include <hexagait/urdf/detail/leg_stance.hpp>
+#include <hexagait/urdf/detail/rounded.hpp>
 
 namespace hexagait {
 namespace {
 
 constexpr double kLeastWorkspace = 0.05;  // of the leg's length
 constexpr double kSameHeight = 1e-3;      // of the leg's length
-
-std::string degrees(double radians) {
-  return in_words(std::round(10.0 * radians * 180.0 / std::numbers::pi) / 10.0 + 0.0) + "°";
-}
-
-std::string metres(double value) { return in_words(std::round(1e4 * value) / 1e4 + 0.0) + " m"; }
 
 double length_of(const LegModel& leg) {
   if (leg.kind == LegKind::yaw_pitch_pitch) return leg.coxa + leg.femur + leg.tibia;

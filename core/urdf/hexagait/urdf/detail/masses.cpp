@@ -54,18 +54,10 @@ Vector3 gyration(const Shape& shape) {
   return Vector3::Zero();
 }
 
-Shape rod(const Vector3& from, const Vector3& to, double length) {
-  const Vector3 along = to - from;
-  Shape shape{Shape::Kind::cylinder, {kRodRadius * length, length, 0.0}, {}};
-  shape.X_LS.p = 0.5 * (from + to);
-  if (along.norm() > 1e-9)
-    shape.X_LS.R = Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), along).toRotationMatrix();
-  return shape;
-}
-
 /// Fills a link's shapes, or a rod from its joint to `end` if these are none, or only a foot.
 Filled filled(LinkModel& link, const LinkParts& parts, const Vector3& end_L, double shortest) {
-  const Shape along = rod(Vector3::Zero(), end_L, std::max(end_L.norm(), shortest));
+  const double length = std::max(end_L.norm(), shortest);
+  const Shape along = rod(end_L, kRodRadius * length, length);
   double volume = 0.0;
   for (const Shape& shape : link.shapes) volume += volume_of(shape);
   const std::vector<Shape> solids =
@@ -105,7 +97,7 @@ std::vector<Filled> all_filled(RobotTree& tree) {
 
 Substitution about(const UrdfFile& file, const Filled& filled, const char* what,
                    const std::string& found) {
-  const FileLink& link = file.links[static_cast<std::size_t>(filled.parts->parts.front().link)];
+  const FileLink& link = filled.parts->link_in(file);
   return {Origin::substituted, "link " + link.name, link.line, what, found, "", "--density"};
 }
 

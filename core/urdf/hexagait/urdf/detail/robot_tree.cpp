@@ -61,8 +61,8 @@ class Assembly {
   }
 
  private:
-  const FileJoint& joint(int i) const { return file_.joints[static_cast<std::size_t>(i)]; }
-  const FileLink& link(int i) const { return file_.links[static_cast<std::size_t>(i)]; }
+  const FileJoint& joint(int i) const { return file_.joint(i); }
+  const FileLink& link(int i) const { return file_.link(i); }
 
   SerialChain chain(RigidBody::Departure next);
   RigidBody rigid_body(int link, const Pose& X_BL);
@@ -150,6 +150,14 @@ void Assembly::merge_shapes(int index, const Pose& X_LP, RigidBody& body) {
 }
 
 }  // namespace
+
+Shape rod(const Vector3& end_L, double radius, double length) {
+  Shape shape{Shape::Kind::cylinder, {radius, length, 0.0}, {}};
+  shape.X_LS.p = 0.5 * end_L;
+  if (end_L.norm() > 1e-9)
+    shape.X_LS.R = Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), end_L).toRotationMatrix();
+  return shape;
+}
 
 Matrix3 point_mass_inertia(double mass, const Vector3& p) {
   return mass * (p.squaredNorm() * Matrix3::Identity() - p * p.transpose());

@@ -33,6 +33,11 @@ struct LinkParts {
   std::vector<Part> parts;  ///< the link itself first
   std::vector<Solid> collisions, visuals;
   bool has_inertia = false;  ///< some part of it says what its inertia is
+
+  /// The link itself, in the file.
+  [[nodiscard]] const FileLink& link_in(const UrdfFile& file) const {
+    return file.link(parts.front().link);
+  }
 };
 
 /// Links one behind the other, hanging from the base: joints[i] moves links[i].
@@ -66,6 +71,9 @@ using JointChain = std::vector<int>;
 
 /// Expresses a tree in another frame. The base's own frame becomes that frame.
 void move(RobotTree& tree, const Pose& X_BR);
+
+/// A cylinder about the way from the origin of a link to a point of it.
+[[nodiscard]] Shape rod(const Vector3& end_L, double radius, double length);
 
 /// Inertia of a point mass about the origin [kg m²].
 [[nodiscard]] Matrix3 point_mass_inertia(double mass, const Vector3& p);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <hexagait/math/leg.hpp>
 #include <hexagait/math/trigonometry.hpp>
+#include <hexagait/urdf/detail/rounded.hpp>
 #include <hexagait/urdf/detail/selection.hpp>
 #include <hexagait/urdf/detail/symmetry.hpp>
 
@@ -96,8 +97,6 @@ double underside(const RobotTree& tree) {
   return lowest;
 }
 
-std::string metres(double value) { return in_words(std::round(1e4 * value) / 1e4) + " m"; }
-
 std::vector<Measured> measure(const RobotTree& tree,
                               const std::vector<std::optional<FoundFoot>>& feet, double bottom) {
   std::vector<Measured> all;
@@ -117,6 +116,15 @@ std::vector<Measured> measure(const RobotTree& tree,
   return all;
 }
 
+bool is_as_long(const Measured& m, double length) {
+  return kShortest * length < m.length && m.length < kLongest * length;
+}
+
+std::string in_joints(int joints) {
+  return "has " + std::to_string(joints) + " movable joints; a leg has " +
+         std::to_string(kMinLegJoints) + " to " + std::to_string(kMaxLegJoints);
+}
+
 /// The length of the middle leg: of those with enough joints, if there are some.
 double usual_length(const std::vector<Measured>& all, int& fewest) {
   for (fewest = kMinLegJoints; fewest >= 2; --fewest) {
@@ -129,9 +137,7 @@ double usual_length(const std::vector<Measured>& all, int& fewest) {
 }
 
 Verdict verdict(const Measured& m, double bottom, double length, int fewest) {
-  const bool as_long = kShortest * length < m.length && m.length < kLongest * length;
-  const std::string joints = "has " + std::to_string(m.joints) + " movable joints; a leg has " +
-                             std::to_string(kMinLegJoints) + " to " + std::to_string(kMaxLegJoints);
+  const bool as_long = is_as_long(m, length);
   if (m.joints < 2)
     return {m.joints == 0   ? "has no joint that turns"
             : m.wheel > 0.0 ? "is a wheel of radius " + metres(m.wheel) + ", and a leg has " +
@@ -139,7 +145,7 @@ Verdict verdict(const Measured& m, double bottom, double length, int fewest) {
                             : "turns about one axis only, and a leg has " +
                                   std::to_string(kMinLegJoints) + " joints or more",
             ""};
-  if (m.joints > kMostJoints) return {joints, ""};
+  if (m.joints > kMostJoints) return {in_joints(m.joints), ""};
   if (!m.reaches) {
     const std::string why = "gets down to z = " + metres(m.lowest) +
                             " only; the body's underside is at " + metres(bottom);
@@ -147,8 +153,8 @@ Verdict verdict(const Measured& m, double bottom, double length, int fewest) {
                ? Verdict{"", why + "; its joint limits must let it reach the ground"}
                : Verdict{why, ""};
   }
-  if (m.joints < fewest && !as_long) return {joints, ""};
-  if (m.joints < kMinLegJoints || m.joints > kMaxLegJoints) return {"", joints};
+  if (m.joints < fewest && !as_long) return {in_joints(m.joints), ""};
+  if (m.joints < kMinLegJoints || m.joints > kMaxLegJoints) return {"", in_joints(m.joints)};
   if (m.wheel > 0.0 && m.wheel > 0.05 * m.length)
     return {"", "ends in a wheel of radius " + metres(m.wheel) +
                     "; hexagait walks on feet: make its joint fixed"};
@@ -171,8 +177,7 @@ void leave_out_the_odd(const RobotTree& tree, const std::vector<Measured>& all, 
   if (symmetry.num_paired() < 4) return;
   for (std::size_t k = 0; k < legs.size(); ++k) {
     const Measured& m = all[legs[k]];
-    const bool as_long = kShortest * length < m.length && m.length < kLongest * length;
-    if (symmetry.partner[k] >= 0 || as_long) continue;
+    if (symmetry.partner[k] >= 0 || is_as_long(m, length)) continue;
     verdicts[legs[k]].why_not = "has no mirror partner, and is " + metres(m.length) +
                                 " long where legs are " + metres(length);
   }
@@ -182,14 +187,12 @@ std::vector<Verdict> as_given(const UrdfFile& file, const RobotTree& tree,
                               const std::vector<std::string>& legs) {
   std::vector<Verdict> verdicts;
   for (const SerialChain& chain : tree.chains) {
-    const std::string& first = file.joints[static_cast<std::size_t>(chain.joints[0].index)].name;
+    const std::string& first = file.joint(chain.joints[0].index).name;
     const bool is_leg = std::ranges::find(legs, first) != legs.end();
     verdicts.push_back({is_leg ? "" : "is not among those of --legs", ""});
     const int joints = static_cast<int>(chain.joints.size());
     if (is_leg && (joints < kMinLegJoints || joints > kMaxLegJoints))
-      verdicts.back().problem = "has " + std::to_string(joints) + " movable joints; a leg has " +
-                                std::to_string(kMinLegJoints) + " to " +
-                                std::to_string(kMaxLegJoints);
+      verdicts.back().problem = in_joints(joints);
   }
   return verdicts;
 }

@@ -15,7 +15,7 @@ constexpr double kRodRadius = 0.7;       // of the foot's
 constexpr double kSamePlace = 1e-9;      // [m]
 
 const FileLink& last_link(const UrdfFile& file, const SerialChain& chain) {
-  return file.links[static_cast<std::size_t>(chain.parts.back().parts.front().link)];
+  return chain.parts.back().link_in(file);
 }
 
 void refuse_missing(const UrdfFile& file, const RobotTree& tree, const Feet& feet,
@@ -80,12 +80,8 @@ void put_ball(LinkModel& link, const FoundFoot& foot, const Vector3& p_LF, doubl
              (shape.size - solid.shape->size).norm() < kSamePlace;
     });
   }
-  if (link.shapes.empty() && p_LF.norm() > radius) {
-    Shape rod{Shape::Kind::cylinder, {kRodRadius * radius, p_LF.norm(), 0.0}, {}};
-    rod.X_LS.p = 0.5 * p_LF;
-    rod.X_LS.R = Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), p_LF).toRotationMatrix();
-    link.shapes.push_back(rod);
-  }
+  if (link.shapes.empty() && p_LF.norm() > radius)
+    link.shapes.push_back(rod(p_LF, kRodRadius * radius, p_LF.norm()));
   link.shapes.push_back({Shape::Kind::sphere, {radius, 0.0, 0.0}, {Matrix3::Identity(), p_LF}});
 }
 

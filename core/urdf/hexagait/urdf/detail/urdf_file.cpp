@@ -32,6 +32,9 @@ std::optional<std::vector<double>> numbers(std::string_view text) {
   }
 }
 
+/// Where in the file's links, or joints, those of a name are.
+using Names = std::map<std::string, int, std::less<>>;
+
 /// The reader of one element, which names it in messages.
 class Reader {
  public:
@@ -49,6 +52,9 @@ class Reader {
   std::optional<FileShape> shape(const XMLElement& element);
   Pose origin(const XMLElement& parent);
   std::string name(const XMLElement& element, const char* kind);
+  template <class Item>
+  void take_name(const XMLElement& element, Names& names, const std::vector<Item>& items,
+                 const std::string& name);
   int end(const XMLElement& element, const char* kind);
   void join();
   void find_root();
@@ -72,7 +78,7 @@ class Reader {
   Violations& violations_;
   std::string element_;
   UrdfFile file_;
-  std::map<std::string, int, std::less<>> link_index_, joint_index_;
+  Names link_index_, joint_index_;
 };
 
 std::string attribute_of(const XMLElement& element, const char* name) {
@@ -110,6 +116,17 @@ std::string Reader::name(const XMLElement& element, const char* kind) {
   element_ = std::string(kind) + " " + name;
   if (name.empty()) refuse(element, "has no name");
   return name;
+}
+
+/// Notes the name of the next of the items; it must be a new one.
+template <class Item>
+void Reader::take_name(const XMLElement& element, Names& names, const std::vector<Item>& items,
+                       const std::string& name) {
+  const auto [other, is_new] = names.try_emplace(name, static_cast<int>(items.size()));
+  if (is_new) return;
+  const int line = items[static_cast<std::size_t>(other->second)].line;
+  refuse(element,
+         "has the name of the " + std::string(element.Name()) + " in line " + std::to_string(line));
 }
 
 std::optional<Matrix3> Reader::inertia(const XMLElement& element) {
@@ -188,11 +205,7 @@ void Reader::read_link(const XMLElement& element) {
   FileLink link;
   link.name = name(element, "link");
   link.line = element.GetLineNum();
-  const auto [other, is_new] =
-      link_index_.try_emplace(link.name, static_cast<int>(file_.links.size()));
-  if (!is_new)
-    refuse(element, "has the name of the link in line " +
-                        std::to_string(file_.links[static_cast<std::size_t>(other->second)].line));
+  take_name(element, link_index_, file_.links, link.name);
   if (const XMLElement* inertia = element.FirstChildElement("inertial"))
     link.inertial = inertial(*inertia);
   link.collisions = shapes(element, "collision");
@@ -227,11 +240,7 @@ void Reader::read_joint(const XMLElement& element) {
   FileJoint joint;
   joint.name = name(element, "joint");
   joint.line = element.GetLineNum();
-  const auto [other, is_new] =
-      joint_index_.try_emplace(joint.name, static_cast<int>(file_.joints.size()));
-  if (!is_new)
-    refuse(element, "has the name of the joint in line " +
-                        std::to_string(file_.joints[static_cast<std::size_t>(other->second)].line));
+  take_name(element, joint_index_, file_.joints, joint.name);
 
   const std::string type = attribute_of(element, "type");
   if (const auto known = kTypes.find(type); known != kTypes.end())
@@ -257,16 +266,16 @@ void Reader::join() {
   for (std::size_t i = 0; i < file_.joints.size(); ++i) {
     const FileJoint& joint = file_.joints[i];
     if (joint.parent < 0 || joint.child < 0) continue;
-    FileLink& child = file_.links[static_cast<std::size_t>(joint.child)];
+    FileLink& child = file_.link(joint.child);
     if (child.parent_joint >= 0) {
-      const std::string& first = file_.joints[static_cast<std::size_t>(child.parent_joint)].name;
+      const std::string& first = file_.joint(child.parent_joint).name;
       violations_.add(
           joint.line, "link " + child.name,
           "has two parents, by the joints " + first + " and " + joint.name + "; a robot is a tree");
       continue;
     }
     child.parent_joint = static_cast<int>(i);
-    file_.links[static_cast<std::size_t>(joint.parent)].child_joints.push_back(static_cast<int>(i));
+    file_.link(joint.parent).child_joints.push_back(static_cast<int>(i));
   }
 }
 
@@ -276,17 +285,16 @@ void Reader::find_root() {
     const FileLink& link = file_.links[i];
     if (link.parent_joint >= 0) continue;
     if (file_.root >= 0)
-      violations_.add(link.line, "link " + link.name,
-                      "has no parent, nor has " +
-                          file_.links[static_cast<std::size_t>(file_.root)].name +
-                          "; a robot has one root");
+      violations_.add(
+          link.line, "link " + link.name,
+          "has no parent, nor has " + file_.link(file_.root).name + "; a robot has one root");
     else
       file_.root = static_cast<int>(i);
   }
   std::vector<int> reached = {file_.root};
   for (std::size_t i = 0; file_.root >= 0 && i < reached.size(); ++i)
-    for (const int joint : file_.links[static_cast<std::size_t>(reached[i])].child_joints)
-      reached.push_back(file_.joints[static_cast<std::size_t>(joint)].child);
+    for (const int joint : file_.link(reached[i]).child_joints)
+      reached.push_back(file_.joint(joint).child);
   const std::size_t missing = file_.links.size() - (file_.root >= 0 ? reached.size() : 0);
   if (violations_.empty() && missing > 0)
     violations_.add("robot " + file_.name,

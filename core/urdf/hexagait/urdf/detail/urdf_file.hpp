@@ -58,6 +58,10 @@ struct UrdfFile {
   std::vector<FileLink> links;
   std::vector<FileJoint> joints;
   int root = -1;  ///< index into the links
+
+  [[nodiscard]] const FileLink& link(int i) const { return links[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] FileLink& link(int i) { return links[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const FileJoint& joint(int i) const { return joints[static_cast<std::size_t>(i)]; }
 };
 
 /// Reads the text of a URDF: a tree of links from one root, all numbers finite, sizes positive.
