@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <hexagait/text/invalid_input.hpp>
-#include <hexagait/text/parse_number.hpp>
 #include <hexagait/text/quantity.hpp>
+#include <hexagait/text/split.hpp>
 #include <map>
 
 #include "arguments.hpp"
@@ -56,22 +56,11 @@ std::optional<Vector3> up(const std::string& text) {
   return Vector3(Vector3::Unit(static_cast<int>(axis)) * (text[0] == '-' ? -1.0 : 1.0));
 }
 
-std::vector<std::string> parts(const std::string& text, char separator) {
-  std::vector<std::string> all;
-  std::size_t begin = 0;
-  while (begin <= text.size()) {
-    const std::size_t end = std::min(text.find(separator, begin), text.size());
-    all.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return all;
-}
-
 void add_foot(const std::string& text, std::map<std::string, Vector3>& feet) {
   const std::size_t equals = text.rfind('=');
   const char* right = "it must be LINK=X,Y,Z, the foot's centre in the frame of that link [m]";
   if (equals == std::string::npos) refuse("--foot", text, right);
-  const std::vector<std::string> words = parts(text.substr(equals + 1), ',');
+  const std::vector<std::string_view> words = split(std::string_view(text).substr(equals + 1), ',');
   if (words.size() != 3) refuse("--foot", text, right);
   Vector3 place;
   for (int i = 0; i < 3; ++i) {
@@ -80,20 +69,6 @@ void add_foot(const std::string& text, std::map<std::string, Vector3>& feet) {
     place[i] = length.value;
   }
   feet[text.substr(0, equals)] = place;
-}
-
-const char* verb(Origin origin) {
-  switch (origin) {
-    case Origin::derived:
-      return "derived";
-    case Origin::substituted:
-      return "substituted";
-    case Origin::given:
-      return "given";
-    case Origin::left_out:
-      return "left out";
-  }
-  return "";
 }
 
 bool is_alike(const Substitution& a, const Substitution& b, bool brief) {
@@ -137,7 +112,8 @@ UrdfOptions urdf_options(const RobotOverrides& o) {
   UrdfOptions options;
   options.front = front(o.front);
   options.up = up(o.up);
-  if (!o.legs.empty()) options.legs = parts(o.legs, ',');
+  if (!o.legs.empty())
+    for (const std::string_view leg : split(o.legs, ',')) options.legs.emplace_back(leg);
   for (const std::string& foot : o.feet) add_foot(foot, options.feet);
   options.foot_radius =
       positive("--foot-radius", o.foot_radius, Dimension::length, "a length such as 2cm");
@@ -167,8 +143,8 @@ std::vector<std::string> in_words(const std::vector<Substitution>& substitutions
       if (!told[j] && is_alike(s, substitutions[j], brief)) told[j] = true, ++more;
     lines.push_back(fmt::format(
         "{}{}{}: {} {}: {}; {}{}", s.line > 0 ? fmt::format("line {}: ", s.line) : "", s.element,
-        more > 0 ? fmt::format(" and {} more", more) : "", s.what, verb(s.origin), s.found, s.used,
-        s.option.empty() ? "" : fmt::format(" ({})", s.option)));
+        more > 0 ? fmt::format(" and {} more", more) : "", s.what, to_string(s.origin), s.found,
+        s.used, s.option.empty() ? "" : fmt::format(" ({})", s.option)));
   }
   return lines;
 }

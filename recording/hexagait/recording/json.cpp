@@ -171,10 +171,9 @@ std::string to_json(const WalkReport& report, const std::vector<std::string>& fi
 }
 
 std::string to_json(const RobotModel& robot) {
-  constexpr const char* kOrigins[] = {"derived", "substituted", "given", "left out"};
   Json substitutions = Json::array();
   for (const Substitution& s : robot.substitutions)
-    substitutions.push_back({{"origin", kOrigins[static_cast<int>(s.origin)]},
+    substitutions.push_back({{"origin", to_string(s.origin)},
                              {"element", s.element},
                              {"line", s.line},
                              {"what", s.what},

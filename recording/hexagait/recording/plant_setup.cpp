@@ -10,6 +10,7 @@
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/text/nearest_word.hpp>
 #include <hexagait/text/quantity.hpp>
+#include <hexagait/text/split.hpp>
 #include <numbers>
 #include <optional>
 
@@ -198,11 +199,11 @@ std::string set(PlantSetup& setup, std::string_view key, const std::string& valu
 PlantSetup parse_plant(const std::string& text) {
   PlantSetup setup;
   std::vector<std::string> problems;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find('+', begin), text.size());
-    const std::string problem = take(setup, text.substr(begin, end - begin), begin == 0);
+  bool is_first = true;
+  for (const std::string_view part : split(text, '+')) {
+    const std::string problem = take(setup, std::string(part), is_first);
     if (!problem.empty()) problems.push_back(problem);
-    begin = end + 1;
+    is_first = false;
   }
   if (!problems.empty()) throw InvalidInput(fmt::format("{}", fmt::join(problems, "\n")));
   setup.name = text;

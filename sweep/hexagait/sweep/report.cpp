@@ -11,6 +11,7 @@
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/text/nearest_word.hpp>
 #include <hexagait/text/parse_number.hpp>
+#include <hexagait/text/split.hpp>
 #include <map>
 #include <numeric>
 
@@ -18,16 +19,6 @@ namespace hexagait::sweep {
 namespace {
 
 using Words = std::vector<std::string>;
-
-std::vector<std::string_view> split(std::string_view line) {
-  std::vector<std::string_view> cells;
-  for (std::size_t begin = 0; begin <= line.size();) {
-    const std::size_t end = std::min(line.find(',', begin), line.size());
-    cells.push_back(line.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return cells;
-}
 
 struct Trial {
   std::uint64_t seed;
@@ -53,7 +44,7 @@ class TrialRows {
           "'{}' has no trials.csv: the sweep is not finished; the command that began it goes on "
           "with it",
           directory.string()));
-    const std::vector<std::string_view> columns = split(text_);
+    const std::vector<std::string_view> columns = split(text_, ',');
     num_columns_ = columns.size();
     const std::array<std::string_view, kNumFields> names = {
         "robot", "plant", "terrain", "controller", "roughness", "seed", "outcome", measure.name};
@@ -68,7 +59,7 @@ class TrialRows {
   [[nodiscard]] std::vector<Group> groups() {
     while (std::getline(file_, text_)) {
       ++line_;
-      row_ = split(text_);
+      row_ = split(text_, ',');
       if (row_.size() != num_columns_)
         refuse(fmt::format("has {} cells, the header {}", row_.size(), num_columns_));
       add();

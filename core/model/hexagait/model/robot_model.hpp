@@ -115,6 +115,11 @@ enum class Origin : std::uint8_t {
   left_out,     ///< it is in the file, and not used
 };
 
+[[nodiscard]] constexpr const char* to_string(Origin origin) noexcept {
+  constexpr const char* kWords[] = {"derived", "substituted", "given", "left out"};
+  return kWords[static_cast<int>(origin)];
+}
+
 /// A value of a robot that is not its file's.
 struct Substitution {
   Origin origin = Origin::substituted;
