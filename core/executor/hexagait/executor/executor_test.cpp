@@ -6,57 +6,19 @@
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/sim/random.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <testing/executor_scene.hpp>
 
 namespace hexagait {
 namespace {
 
-constexpr double kDt = 0.002;
+using testing::kDt;
+using testing::Scene;
 
 RobotModel argos(double foot_radius = 0.0) {
   RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
   model.foot_radius = foot_radius;
   return model;
 }
-
-/// A robot on the plane z = 0 that does exactly what the executor wants.
-struct Scene {
-  const RobotModel& model;
-  Executor executor;
-  RobotState state;
-
-  explicit Scene(const RobotModel& robot) : model(robot), executor(robot, {}) {
-    const int n = robot.num_legs();
-    state.q = LegArray<LegJoints>(n);
-    state.p_BF = state.p_OF = state.print_O = LegArray<Vector3>(n);
-    state.trig = LegArray<LegTrig>(n);
-    state.contact = LegArray<bool>(n, true);
-    for (LegId i = 0; i < n; ++i)
-      state.q[i] = inverse_kinematics(robot.legs[i], robot.legs[i].p_BC).q;
-    state.X_OB.p.z() = robot.foot_radius - robot.legs[0].p_BC.z();
-    sense();
-    executor.reset(state);
-  }
-
-  void sense() {
-    for (LegId i = 0; i < model.num_legs(); ++i) {
-      state.trig[i] = leg_trig(model.legs[i], state.q[i]);
-      state.p_BF[i] = foot_position(model.legs[i], state.trig[i]);
-      state.p_OF[i] = state.X_OB * state.p_BF[i];
-      const bool stands = executor.legs()[i].on_ground();
-      state.contact[i] = state.p_OF[i].z() <= model.foot_radius + (stands ? 1e-3 : 0.0);
-      if (stands) state.print_O[i] = state.p_OF[i];
-    }
-  }
-
-  void tick() {
-    state.q = executor.advance(state, kDt).q;
-    const Twist V = executor.base().twist();
-    const Matrix3& R = state.X_OB.R;
-    state.X_OB = {R * rotation(V.w * kDt),
-                  state.X_OB.p + R * (kDt * V.v + 0.5 * kDt * kDt * V.w.cross(V.v))};
-    sense();
-  }
-};
 
 /// Pose adaptations that want something always: the executor has to obey, not to understand.
 BaseAutoCommand restless(const PlanarTwist& path, int kind) {
@@ -358,59 +320,6 @@ TEST(Executor, StopsTheBaseWhereAStandingLegEnds) {
     for (int k = 0; k < 200; ++k) scene.tick();
     EXPECT_LT(scene.state.X_OB.p.head<2>().dot(way), before - 0.05);
   }
-}
-
-// A standing robot of which one measured foot is below its set point, and what the tick makes of the
-// set points, along the body's z.
-LegArray<double> changes_with_a_low_foot(LegId low, double by, double rate, LegSet in_air = {}) {
-  static const RobotModel model = argos();
-  Scene scene(model);
-  ExecutorParams params;
-  params.swing.even_load_rate = rate;
-  scene.executor = Executor(model, params);
-  scene.executor.reset(scene.state);
-  for (LegId i = 0; i < 6; ++i)
-    if (in_air.contains(i))
-      scene.executor.command(FootstepCommand{i, scene.state.p_OF[i], 0.1}, scene.state);
-  for (int tick = 0; tick < 60; ++tick) {  // all feet are where they should be
-    for (LegId i = 0; i < 6; ++i) scene.state.p_BF[i] = scene.executor.legs()[i].p_BF;
-    static_cast<void>(scene.executor.advance(scene.state, kDt));
-  }
-  LegArray<double> before(6), change(6);
-  for (LegId i = 0; i < 6; ++i) {
-    scene.state.p_BF[i] = scene.executor.legs()[i].p_BF;
-    before[i] = scene.executor.legs()[i].p_BF.z();
-  }
-  scene.state.p_BF[low].z() -= by;
-  static_cast<void>(scene.executor.advance(scene.state, kDt));
-  for (LegId i = 0; i < 6; ++i) change[i] = scene.executor.legs()[i].p_BF.z() - before[i];
-  return change;
-}
-
-TEST(EvenLoads, LowerAFootThatCarriesTooLittle) {
-  const LegArray<double> change = changes_with_a_low_foot(2, 0.003, 2.0);
-  const double share = 1.0 - std::exp(-2.0 * kDt);
-  for (LegId i = 0; i < 6; ++i)
-    EXPECT_NEAR(change[i], share * 0.003 * (i == 2 ? -5.0 / 6.0 : 1.0 / 6.0), 1e-9) << i;
-  for (const double none : changes_with_a_low_foot(2, 0.003, 0.0)) EXPECT_EQ(none, 0.0);
-}
-
-TEST(EvenLoads, LeaveTheMeanHeightOfTheFeet) {
-  for (LegId low = 0; low < 6; ++low) {
-    double sum = 0.0;
-    for (const double change : changes_with_a_low_foot(low, 0.004, 20.0)) sum += change;
-    EXPECT_NEAR(sum, 0.0, 1e-12) << low;
-  }
-}
-
-// The share of the low foot is that among the three feet that stand.
-TEST(EvenLoads, AreTakenOverTheFeetThatBear) {
-  LegSet in_air;
-  for (const LegId i : {0, 3, 4}) in_air.insert(i);
-  const LegArray<double> change = changes_with_a_low_foot(1, 0.003, 2.0, in_air);
-  const double share = 1.0 - std::exp(-2.0 * kDt);
-  for (const LegId i : {1, 2, 5})
-    EXPECT_NEAR(change[i], share * 0.003 * (i == 1 ? -2.0 / 3.0 : 1.0 / 3.0), 1e-9) << i;
 }
 
 }  // namespace
