@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <hexagait/load/load_params.hpp>
+#include <hexagait/params/best_stance.hpp>
+#include <hexagait/params/set_parameter.hpp>
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/text/nearest_word.hpp>
 #include <hexagait/text/parse_number.hpp>
@@ -23,6 +26,7 @@ struct Range {
   const char* words;
 };
 constexpr Range kSeconds = {1e-3, 86400.0, Dimension::time, "a time of 1ms to a day, in seconds"};
+constexpr Range kSpeed = {1e-6, 1e3, Dimension::number, "a speed of 1e-6 to 1000 m/s"};
 constexpr Range kDistance = {1e-3, 1e5, Dimension::length, "a length of 1mm to 100 km, in metres"};
 constexpr Range kPeriod = {1e-3, 86400.0, Dimension::time,
                            "a time of 1ms to a day between commands, in seconds"};
@@ -79,11 +83,12 @@ gait_state::GaitChoice gait(const WalkArguments& arguments) {
                   arguments.gait, did_you_mean(arguments.gait, known), gait_state::kGaitChoices));
 }
 
-walk::Schedule schedule(const WalkArguments& arguments, std::uint64_t seed, double seconds) {
+walk::Schedule schedule(const WalkArguments& arguments, const RobotModel& robot, std::uint64_t seed,
+                        double seconds) {
   if (!arguments.commands.empty()) return walk::load_schedule(arguments.commands);
   if (arguments.random_commands.empty()) return {{0.0, heading(arguments)}};
   const double period = number("--random-commands", arguments.random_commands, kPeriod);
-  return walk::random_schedule(seed, period, seconds);
+  return walk::random_schedule(seed, period, seconds, walk::tightest_radius(robot));
 }
 
 double posture_spread(const std::string& text, const RobotModel& robot) {
@@ -98,8 +103,8 @@ double posture_spread(const std::string& text, const RobotModel& robot) {
 double physics_step(const WalkArguments& a, const Range& range, double usual) {
   if (!a.physics_step.empty()) return number("--physics-step", a.physics_step, range);
   if (a.control_period.empty()) return usual;
-  return recording::physics_step_for(number("--control-period", a.control_period, kControlPeriod),
-                                     usual);
+  return sim3d::physics_step_for(number("--control-period", a.control_period, kControlPeriod),
+                                 usual);
 }
 
 // Default: the smallest number of physics steps that makes so much or more.
@@ -127,6 +132,8 @@ void refuse_in_side_view(const WalkArguments& a) {
   refuse(!a.spin.empty(), "--spin", kStraight);
   refuse(!a.commands.empty(), "--commands", kStraight);
   refuse(!a.random_commands.empty(), "--random-commands", kStraight);
+  refuse(!a.set.empty() || !a.params.empty(), "--set or --params", "its parameters are its own");
+  refuse(!a.speed.empty(), "--speed", "its speed is its own");
   refuse(a.plant.given(), "--plant, or an option of it,", "its plant is ideal");
   refuse(a.no_contacts, "--no-contacts", "it feels the ground by its motors");
   refuse(a.no_joint_feedback, "--no-joint-feedback", "it feels the ground by its motors");
@@ -169,23 +176,45 @@ sim2d::GenghisTrial genghis_trial(const WalkArguments& arguments) {
   return trial;
 }
 
+RobotParams given_params(const std::string& robot, const std::string& params,
+                         const std::vector<std::string>& set) {
+  RobotParams given;
+  const std::string beside = params_beside(robot_file(robot));
+  if (!beside.empty()) load_params(given, beside);
+  if (!params.empty()) load_params(given, params);
+  for (const std::string& text : set) {
+    try {
+      set_parameter(given, text);
+    } catch (const InvalidInput& error) {
+      throw InvalidInput(fmt::format("--set: {}", error.what()));
+    }
+  }
+  return given;
+}
+
 recording::Simulation simulation(const WalkArguments& arguments, const RobotModel& robot) {
   recording::Simulation result;
   result.terrain = sim3d::parse_terrain(arguments.terrain);
   result.seed = seed(arguments.seed);
-  result.physics_dt = physics_step(arguments, kStep, result.physics_dt);
-  result.control_dt = control_period(arguments, result.physics_dt, result.control_dt);
+  const std::string problem = why_it_cannot_walk(robot);
+  if (!problem.empty()) throw InvalidInput(fmt::format("{} cannot walk: {}", robot.name, problem));
+  result.params = completed(given_params(arguments.robot, arguments.params, arguments.set), robot);
+  const double longest = result.params.plant.longest_step, usual = result.control_dt;
+  result.physics_dt = physics_step(arguments, kStep, sim3d::physics_step_for(usual, longest));
+  result.control_dt = control_period(arguments, result.physics_dt, usual);
   result.sensors = {.joint_feedback = !arguments.no_joint_feedback,
                     .foot_contacts = !arguments.no_contacts};
   result.plant = plant(arguments.plant);
   result.gait = gait(arguments);
+  if (!arguments.speed.empty()) result.trial.speed = number("--speed", arguments.speed, kSpeed);
   if (!arguments.random_posture.empty())
     result.random_posture = posture_spread(arguments.random_posture, robot);
 
   result.trial.seconds = number("--seconds", arguments.seconds, kSeconds);
   if (!arguments.distance.empty())
     result.trial.distance = number("--distance", arguments.distance, kDistance);
-  result.trial.schedule = schedule(arguments, result.seed, result.trial.seconds);
+  result.trial.schedule = schedule(arguments, robot, result.seed, result.trial.seconds);
+  complete(result, robot);
   return result;
 }
 

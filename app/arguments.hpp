@@ -17,6 +17,8 @@ namespace hexagait::app {
 struct WalkArguments {
   std::string robot = "argos";
   RobotOverrides overrides;
+  std::vector<std::string> set;  ///< NAME=VALUE
+  std::string params, speed;
   std::string radius, crab, spin, commands, random_commands;
   std::string gait, duty_factor;
   std::string terrain = "flat";
@@ -32,6 +34,12 @@ struct WalkArguments {
 /// @throws InvalidInput  naming the first option that is wrong, its value, and what would be right
 [[nodiscard]] recording::Simulation simulation(const WalkArguments& arguments,
                                                const RobotModel& robot);
+
+/// The parameters that were given, those of later sources first: `set`, the file `params`, the file
+/// beside the robot's; the others are kDerived.
+/// @throws InvalidInput  naming what is wrong
+[[nodiscard]] RobotParams given_params(const std::string& robot, const std::string& params,
+                                       const std::vector<std::string>& set);
 
 /// The robot of the side view, which has no file.
 inline constexpr const char* kGenghis = "genghis2d";

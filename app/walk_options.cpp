@@ -70,6 +70,22 @@ void add_length_and_start(CLI::App& walk, WalkArguments& a) {
       ->capture_default_str();
 }
 
+void add_parameters(CLI::App& walk, WalkArguments& a) {
+  walk.add_option(
+          "--set", a.set,
+          "A parameter of the robot, such as step.height=4cm; may be repeated; hexagait robot "
+          "lists them")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  walk.add_option(
+          "--params", a.params,
+          "Parameters from a YAML file; ROBOT.params.yaml beside ROBOT.urdf is read without "
+          "being asked for")
+      ->type_name("FILE");
+  walk.add_option("--speed", a.speed, "Bound of the speed along the path, at the farthest foot")
+      ->type_name("SPEED");
+}
+
 void add_simulator(CLI::App& walk, WalkArguments& a) {
   walk.add_flag("--no-contacts", a.no_contacts, "The controller has no contact sensors");
   walk.add_flag("--no-joint-feedback", a.no_joint_feedback, "The controller has no joint sensors");
@@ -109,6 +125,8 @@ void add_walk(CLI::App& app, WalkArguments& a) {
   group(*walk, "Where to and how");
   add_length_and_start(*walk, a);
   group(*walk, "How long, and from where");
+  add_parameters(*walk, a);
+  group(*walk, "Parameters of the robot");
   add_simulator(*walk, a);
   group(*walk, "Sensors and steps of time");
   add_plant(*walk, a.plant);

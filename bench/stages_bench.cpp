@@ -78,7 +78,7 @@ void path_arc_of_a_heading(benchmark::State& state) {
 BENCHMARK(path_arc_of_a_heading);
 
 void path_tracker_update(benchmark::State& state) {
-  heading_control::PathTracker tracker;
+  heading_control::PathTracker tracker(0.5);
   tracker.reset({});
   tracker.follow(snapshot().record().arc.per_metre);
   double s = 0.0;

@@ -62,7 +62,8 @@ void efforts(benchmark::State& state, WholeBodyController controller, LegSet sup
   }
   input.error.p_B = {push, 0.0, 0.005};
   for (auto _ : state)
-    benchmark::DoNotOptimize(joint_efforts(controller, argos(), input, 9.81, {}));
+    benchmark::DoNotOptimize(joint_efforts(controller, argos(), input, 9.81,
+                                           {.frequency = 12.5, .turn_frequency = 12.5}));
 }
 
 constexpr auto kKinematic = WholeBodyController::kinematic;

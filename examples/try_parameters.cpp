@@ -3,7 +3,7 @@
 // What a parameter does: walks 20 s straight ahead with it, on three seeds of a terrain, and prints
 // the means. docs/parameters.md has a table of what came out.
 //
-//   try_parameters ROBOT.urdf TERRAIN [NAME=VALUE | size=SCALE]...
+//   try_parameters ROBOT.urdf TERRAIN [NAME=VALUE]...
 //   try_parameters robots/argos.urdf boxes:0.10 step.stroke=0.24
 #include <algorithm>
 #include <cstdio>
@@ -17,105 +17,43 @@
 
 using namespace hexagait;
 
+// What follows from the robot, and what does not.
 struct Setup {
+  RobotParams robot;
   footstep_gen::WalkerParams walker;
   sim3d::WorldParams world;
 };
 
 // Every parameter that can be set, by its name.
 std::map<std::string, double*> parameters_of(Setup& s) {
-  footstep_gen::StepParams& step = s.walker.step;
-  SwingParams& swing = s.walker.executor.swing;
-  BaseParams& base = s.walker.executor.base;
-  return {{"step.stroke", &step.stroke},
-          {"step.height", &step.height},
-          {"step.roughness_gain", &step.roughness_gain},
-          {"step.max_height", &step.max_height},
-          {"step.urgent_share", &step.urgent_share},
-          {"step.stability_margin", &step.stability_margin},
-          {"gait.tie_tolerance", &s.walker.gait.tie_tolerance},
-          {"executor.gravity", &s.walker.executor.gravity},
-          {"swing.unload_time", &swing.unload_time},
-          {"swing.load_time", &swing.load_time},
-          {"swing.even_load_rate", &swing.even_load_rate},
-          {"swing.lift_time", &swing.lift_time},
-          {"swing.clearance_share", &swing.clearance_share},
-          {"swing.transfer_time", &swing.transfer_time},
-          {"swing.max_speed", &swing.max_speed},
-          {"swing.overlap_time", &swing.overlap_time},
-          {"swing.descent_speed", &swing.descent_speed},
-          {"swing.touchdown_speed", &swing.touchdown_speed},
-          {"swing.touchdown_margin", &swing.touchdown_margin},
-          {"swing.search_speed", &swing.search_speed},
-          {"swing.vertical_acceleration", &swing.vertical_acceleration},
-          {"swing.commit_height", &swing.commit_height},
-          {"swing.retreat_back", &swing.retreat_back},
-          {"swing.retreat_up", &swing.retreat_up},
-          {"swing.retreat_time", &swing.retreat_time},
-          {"swing.blocked_error", &swing.blocked_error},
-          {"swing.confirm_time", &swing.confirm_time},
-          {"swing.lost_time", &swing.lost_time},
-          {"swing.regain_time", &swing.regain_time},
-          {"base.acceleration", &base.acceleration},
-          {"base.max_speed", &base.max_speed},
-          {"base.advance_rate", &base.advance_rate},
-          {"base.correction_rate", &base.correction_rate},
-          {"base.correction_speed", &base.correction_speed},
-          {"base.correction_turn", &base.correction_turn},
-          {"base.posture_rate", &base.posture_rate},
-          {"base.height_speed", &base.height_speed},
-          {"base.tilt_speed", &base.tilt_speed},
-          {"base.outer_radius", &base.outer_radius},
-          {"world.friction", &s.world.friction},
-          {"world.servo_kp", &s.world.servo_kp},
-          {"world.servo_kd", &s.world.servo_kd},
-          {"world.contact_threshold", &s.world.contact_threshold}};
+  std::map<std::string, double*> all = {{"step.roughness_gain", &s.robot.step.roughness_gain},
+                                        {"step.urgent_share", &s.robot.step.urgent_share},
+                                        {"swing.clearance_share", &s.robot.swing.clearance_share},
+                                        {"executor.gravity", &s.walker.executor.gravity},
+                                        {"world.friction", &s.world.friction}};
+  for (const Parameter& one : parameters()) all[one.name] = &one.in(s.robot);
+  return all;
 }
 
-// For a robot of `s` times the size of argos and s³ times its mass, at the same step times: lengths and
-// speeds by s, forces by s³, torques and with them servo gains by s⁴.
-void resize(std::map<std::string, double*>& parameters, double s) {
-  for (const char* length_or_speed : {"step.stroke",
-                                      "step.height",
-                                      "step.max_height",
-                                      "step.stability_margin",
-                                      "gait.tie_tolerance",
-                                      "swing.max_speed",
-                                      "swing.descent_speed",
-                                      "swing.touchdown_speed",
-                                      "swing.touchdown_margin",
-                                      "swing.search_speed",
-                                      "swing.vertical_acceleration",
-                                      "swing.commit_height",
-                                      "swing.retreat_back",
-                                      "swing.retreat_up",
-                                      "swing.blocked_error",
-                                      "base.acceleration",
-                                      "base.max_speed",
-                                      "base.correction_speed",
-                                      "base.height_speed",
-                                      "base.outer_radius"})
-    *parameters.at(length_or_speed) *= s;
-  *parameters.at("world.contact_threshold") *= s * s * s;
-  *parameters.at("world.servo_kp") *= s * s * s * s;
-  *parameters.at("world.servo_kd") *= s * s * s * s;
-}
-
-Setup setup_from(int argc, char** argv) {
+Setup setup_from(const RobotModel& model, int argc, char** argv) {
   Setup setup;
-  std::map<std::string, double*> parameters = parameters_of(setup);
+  setup.robot = params_for(model);
+  const std::map<std::string, double*> parameters = parameters_of(setup);
   for (int k = 3; k < argc; ++k) {
     const std::string text = argv[k], name = text.substr(0, text.find('='));
     const char* digits = argv[k] + std::min(name.size() + 1, text.size());
     char* end = nullptr;
     const double value = std::strtod(digits, &end);
-    if ((name != "size" && !parameters.contains(name)) || end == digits || *end != '\0')
+    if (!parameters.contains(name) || end == digits || *end != '\0')
       throw InvalidInput("'" + text + "' is not NAME=VALUE with a name of docs/parameters.md");
-    if (name == "size")
-      resize(parameters, value);
-    else
-      *parameters[name] = value;
+    *parameters.at(name) = value;
   }
+  setup.walker.step = setup.robot.step;
+  setup.walker.executor.swing = setup.robot.swing;
+  setup.walker.executor.base = setup.robot.base;
+  setup.walker.tolerance = setup.robot.tolerance;
+  setup.walker.gait.tie_tolerance = setup.robot.tolerance.tie;
+  static_cast<PlantParams&>(setup.world) = setup.robot.plant;
   return setup;
 }
 
@@ -124,7 +62,7 @@ int main(int argc, char** argv) try {
     return std::fputs("usage: try_parameters ROBOT.urdf TERRAIN [NAME=VALUE]...\n", stderr), 2;
   const RobotModel model = load_urdf(argv[1]);
   const sim3d::TerrainSpec terrain = sim3d::parse_terrain(argv[2]);
-  Setup setup = setup_from(argc, argv);
+  Setup setup = setup_from(model, argc, argv);
   walk::Summary sum;
   int falls = 0, stuck = 0;
   constexpr int kSeeds = 3;

@@ -4,7 +4,7 @@
 #include <hexagait/walk/schedule.hpp>
 
 int main() {
-  const auto schedule = hexagait::walk::random_schedule(1, 1.0, 10.0);
+  const auto schedule = hexagait::walk::random_schedule(1, 1.0, 10.0, 0.3);
   std::printf("walk: a schedule of %zu commands\n", schedule.size());
   return schedule.empty() ? 1 : 0;
 }

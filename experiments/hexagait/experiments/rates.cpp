@@ -20,7 +20,6 @@ std::string in_ms(double period) { return fmt::format("{:g} ms", 1e3 * period); 
 void set_period(std::vector<JudgedWalk>& walks, double control_dt) {
   for (JudgedWalk& walk : walks) {
     walk.simulation.control_dt = control_dt;
-    walk.simulation.physics_dt = recording::physics_step_for(control_dt);
   }
 }
 

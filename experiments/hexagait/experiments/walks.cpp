@@ -48,10 +48,11 @@ std::vector<Walk> postures(std::uint64_t count) {
   });
 }
 
-std::vector<Walk> random_commands(std::uint64_t count, double seconds) {
+std::vector<Walk> random_commands(const RobotModel& robot, std::uint64_t count, double seconds) {
+  const double radius = walk::tightest_radius(robot);
   return seeds("commands", count, [=](std::uint64_t seed) {
     recording::Simulation simulation = flat(Heading::stop(), seconds);
-    simulation.trial.schedule = walk::random_schedule(seed, 1.0, seconds);
+    simulation.trial.schedule = walk::random_schedule(seed, 1.0, seconds, radius);
     return simulation;
   });
 }
@@ -262,7 +263,7 @@ Outcome walks(const ExperimentContext& context, figures::StagedFiles& files) {
   std::vector<std::vector<Walk>> groups = {
       ten_headings(brief ? 6.0 : 40.0),
       postures(brief ? 3 : 20),
-      random_commands(brief ? 1 : 5, brief ? 20.0 : 120.0),
+      random_commands(*context.robot, brief ? 1 : 5, brief ? 20.0 : 120.0),
       over_terrain("boxes:0.10", brief ? 2 : 20, brief ? 1.0 : 5.0),
       over_terrain("steps:0.10", brief ? 2 : 20, brief ? 1.0 : 5.0),
       first_walks(brief ? 1 : 20, brief ? 5.0 : 30.0),

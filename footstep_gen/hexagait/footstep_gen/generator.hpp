@@ -9,25 +9,6 @@
 
 namespace hexagait::footstep_gen {
 
-struct StepParams {
-  /// Path of the body between two landings of one foot, at the farthest workspace centre [m]. Half
-  /// of it is the AEP's distance from the centre. Longer: faster, until the workspaces limit it.
-  double stroke = 0.20;
-  /// Clearance of the swing [m]. Higher: climbs higher steps, walks more slowly.
-  double height = 0.10;
-  /// Clearance added per metre by which another foot's last footprint is higher [m/m]: after one
-  /// step in the ground, others are likely. 0: the foot collides with edges higher than the
-  /// clearance.
-  double roughness_gain = 1.0;
-  double max_height = 0.22;  ///< bound of the clearance [m]
-  /// Fraction of its workspace radius from which a leg's lag is urgent: the latch then drops the
-  /// leg's adjusted relations.
-  double urgent_share = 0.8;
-  /// Least distance of the centre of mass from the edges of the support polygon: the base waits
-  /// before [m]. 0: crabbing at 45°, where the support triangle is narrow, tips the robot.
-  double stability_margin = 0.03;
-};
-
 /// Duration of a step on flat ground, from the command to lift until the foot counts as support
 /// [s]: T of (gait 5) before the first step has been measured. Sum of the phases of a swing, with
 /// 0.43 of lift_time for the rise to the height at which the foot moves sideways.

@@ -37,13 +37,27 @@ WalkerParams checked(const WalkerParams& params) {
 
 }  // namespace
 
+WalkerParams completed(WalkerParams params, const RobotModel& model) {
+  RobotParams all;
+  all.step = params.step;
+  all.tolerance = params.tolerance;
+  all.tolerance.tie = params.gait.tie_tolerance;
+  all = hexagait::completed(all, model);
+  params.step = all.step;
+  params.executor = hexagait::completed(params.executor, model);
+  params.tolerance = all.tolerance;
+  params.gait.tie_tolerance = all.tolerance.tie;
+  return params;
+}
+
 Walker::Walker(const RobotModel& model, const WalkerParams& params)
     : model_(&model),
-      params_(checked(params)),
+      params_(checked(completed(params, model))),
       workspaces_(heading_control::workspaces(model)),
-      estimator_(model, params.sensors),
-      memory_(model.num_legs(), nominal_step_time(params.executor.swing, params.step)),
-      executor_(model, params.executor) {
+      estimator_(model, params_.sensors, params_.tolerance),
+      tracker_(params_.tolerance.turn_arm),
+      memory_(model.num_legs(), nominal_step_time(params_.executor.swing, params_.step)),
+      executor_(model, params_.executor) {
   watch_.stop(Fault::not_started);
   record_.fault = watch_.fault();
   record_.targets = executor_.targets();
@@ -83,7 +97,7 @@ const TickRecord& Walker::step(PlantStatus status, const Measurement& measuremen
 }
 
 void Walker::start(const Measurement& measurement) {
-  StateEstimator estimator(*model_, params_.sensors);
+  StateEstimator estimator(*model_, params_.sensors, params_.tolerance);
   const RobotState state = estimator.start(measurement);  // may throw, so before anything changes
   *this = Walker(*model_, params_);
   watch_ = {};

@@ -12,15 +12,20 @@
 
 namespace hexagait::footstep_gen {
 
+/// What is kDerived follows from the robot's model.
 struct WalkerParams {
   double control_dt = 0.002;  ///< control period [s], 1 to 20 ms
   SensorMask sensors;
-  gait_state::GaitParams gait;
+  gait_state::GaitParams gait{.tie_tolerance = kDerived};
   gait_state::StepperParams stepper;  ///< initial gait: free, wave or tripod
   StepParams step;
   ExecutorParams executor;
-  double late_limit = 0.1;  ///< longest time without a measurement before it stops [s]
+  ToleranceParams tolerance;  ///< its `tie` is not used: that of `gait` is
+  double late_limit = 0.1;    ///< longest time without a measurement before it stops [s]
 };
+
+/// Sets what is kDerived to what follows from the robot's model.
+[[nodiscard]] WalkerParams completed(WalkerParams params, const RobotModel& model);
 
 /// The walking controller: takes a measurement and a heading and returns joint targets, once per
 /// control period. A value; tick() neither throws nor allocates.

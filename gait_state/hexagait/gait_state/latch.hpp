@@ -51,8 +51,8 @@ struct GaitParams {
   /// ε: largest difference of tied lags, and width of the hysteresis [m of path], ≥ 0. Less than
   /// twice the noise of a lag: noise changes relations while nothing happens, and each change
   /// discards the adjustment. Too large: legs near the end of their reach wait for legs of the
-  /// first tripod that are not. Source: our choice, 1 % of a stride of 10 cm.
-  double tie_tolerance = 1e-3;
+  /// first tripod that are not. 0: only equal lags are tied.
+  double tie_tolerance = 0.0;
   Adjustment adjustment = Adjustment::latched;
 };
 

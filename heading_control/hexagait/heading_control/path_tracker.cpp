@@ -3,20 +3,12 @@
 #include <hexagait/heading_control/path_tracker.hpp>
 
 namespace hexagait::heading_control {
-namespace {
-
-// L² of the metric [m²]: about the square of the distance from the base to its feet, so that an
-// angle counts as much as the motion of the feet that it causes.
-constexpr double kTurnWeight = 0.25;
-
-double product(const PlanarTwist& a, const PlanarTwist& b) {
-  return a.v.dot(b.v) + kTurnWeight * a.w * b.w;
+double PathTracker::product(const PlanarTwist& a, const PlanarTwist& b) const noexcept {
+  return a.v.dot(b.v) + turn_arm_ * turn_arm_ * a.w * b.w;
 }
 
-}  // namespace
-
 void PathTracker::reset(const PlanarPose& X_OB) {
-  *this = PathTracker{};
+  *this = PathTracker(turn_arm_);
   anchor_ = ideal_ = X_OB;
 }
 

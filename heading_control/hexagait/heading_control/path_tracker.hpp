@@ -18,6 +18,10 @@ namespace hexagait::heading_control {
 /// its simulated feet do not slip. A value.
 class PathTracker {
  public:
+  /// @param turn_arm  L: about the distance from the base to its feet, so that an angle counts as
+  ///                  much as the motion of the feet that it causes [m]
+  explicit PathTracker(double turn_arm = 0.0) : turn_arm_(turn_arm) {}
+
   /// Starts at a pose in odom, without a path: the ideal pose stays there.
   void reset(const PlanarPose& X_OB);
 
@@ -34,6 +38,9 @@ class PathTracker {
   [[nodiscard]] double progress() const { return s_; }
 
  private:
+  [[nodiscard]] double product(const PlanarTwist& a, const PlanarTwist& b) const noexcept;
+
+  double turn_arm_;
   PlanarPose anchor_;
   PlanarTwist per_metre_;
   double s_ = 0.0;

@@ -27,7 +27,7 @@ double distance(const PlanarPose& a, const PlanarPose& b) {
 }
 
 PathTracker following(const PlanarTwist& line, const PlanarPose& start = kStart) {
-  PathTracker tracker;
+  PathTracker tracker(0.5);
   tracker.reset(start);
   tracker.follow(line);
   return tracker;
@@ -51,7 +51,7 @@ TEST(PathTracker, SeesNoDeviationOnTheCurve) {
 // Anywhere before a command, or at rest, the deviation is back to the start: X_OB · exp(it) =
 // start.
 TEST(PathTracker, WithoutAPathAsksForTheStart) {
-  PathTracker tracker;
+  PathTracker tracker(0.5);
   tracker.reset(kStart);
   const PlanarPose X_OB{2.2, {3.1, -1.2}};
   EXPECT_LT(distance(X_OB * exponential(tracker.update(X_OB), 1.0), kStart), 1e-12);
@@ -129,7 +129,7 @@ TEST(PathTracker, DoesNotForgiveAnErrorForSteering) {
 
 // A metre of each line, one after the other: a base on the joined curve has no deviation.
 TEST(PathTracker, JoinsTheCurveOfEachCommandToThatBefore) {
-  PathTracker tracker;
+  PathTracker tracker(0.5);
   tracker.reset(kStart);
   PlanarPose X_OB = kStart;
   for (const PlanarTwist& line : kLines) {

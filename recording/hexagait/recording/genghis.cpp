@@ -9,7 +9,14 @@
 namespace hexagait::recording {
 namespace {
 
-constexpr walk::Patience kPatience = {.seconds = 30.0, .progress = 0.02};
+// Its kinematics in space are for drawing only: nothing follows from them.
+constexpr RefereeParams kReferee = {.bounce = 0.05,
+                                    .settling = 0.02,
+                                    .brief_loss = 0.02,
+                                    .near_loss = 0.005,
+                                    .fall_speed = 0.6,
+                                    .progress = 0.02,
+                                    .patience = 30.0};
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
@@ -42,7 +49,7 @@ GenghisSummary simulate(const sim2d::GenghisTrial& trial, const walk::Observer& 
   controller.start(measurement);
 
   const double dt = trial.control_dt;
-  walk::Referee referee(robot, world.truth(), dt, kPatience);
+  walk::Referee referee(robot, world.truth(), dt, kReferee);
   footstep_gen::TickRecord in_space;
   SideView side_view{.terrain = trial.terrain};
   std::uint64_t hash = kFnv1aBasis;

@@ -3,6 +3,7 @@
 #include <gnu/libc-version.h>
 
 #include <bit>
+#include <cctype>
 #include <hexagait/recording/detail/walk_json.hpp>
 #include <hexagait/recording/provenance.hpp>
 #include <hexagait/recording/version.hpp>
@@ -10,8 +11,8 @@
 #include <hexagait/sim2d/engine_version.hpp>
 #include <hexagait/sim3d/engine_version.hpp>
 
-// Parameters are taken apart by structured bindings: a field that is added and not listed here does
-// not compile. What the configuration of a result names already is left out.
+// Parameters that follow from the robot are in one table; the others of controllers are taken apart by
+// structured bindings: a field that is added and not listed here does not compile. What the configuration of a result names already is left out.
 namespace hexagait::recording {
 namespace {
 
@@ -23,83 +24,45 @@ void append(Parameters& to, const std::string& prefix, const Parameters& more) {
 
 // ---- three dimensions -------------------------------------------------------------------------
 
+// "m/s²" as the ending of a name: "_m_s2".
+std::string suffix(std::string_view unit) {
+  if (unit == "1") return "";
+  std::string text = "_";
+  for (const char letter : unit) {
+    if (letter == '/' || letter == ' ') text += '_';
+    if (std::isalnum(static_cast<unsigned char>(letter)) != 0)
+      text += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  }
+  return unit.ends_with("²") ? text + "2" : text;
+}
+
+// Those of the robot's parameters whose names begin so.
+Parameters parameters(RobotParams params, std::string_view prefix) {
+  Parameters some;
+  for (const Parameter& one : hexagait::parameters()) {
+    const std::string_view name = one.name;
+    if (name.starts_with(prefix))
+      some.emplace_back(std::string(name) + suffix(one.unit), one.in(params));
+  }
+  return some;
+}
+
 Parameters parameters(const sim3d::WorldParams& params) {
-  const auto& [physics_dt, control_dt, seed, gravity, kp, kd, kv, servo_friction, velocity_limits,
-               drive_friction, armature, servo_lag, mass_error, friction, threshold, contact_erp,
-               contact_cfm, correcting_speed, hinge_erp, hinge_cfm, start, clearance, height,
-               blocks, on_stand] = params;
-  return {{"physics_dt_s", physics_dt},
-          {"control_dt_s", control_dt},
-          {"gravity_m_s2", gravity},
-          {"servo_kp_n_m_rad", kp},
-          {"servo_kd_n_m_s_rad", kd},
-          {"servo_kv_n_m_s_rad", kv},
-          {"servo_friction_n_m_s_rad", servo_friction},
-          {"velocity_limits", velocity_limits},
-          {"drive_friction_n_m", drive_friction},
-          {"armature_kg_m2", armature},
-          {"servo_lag_s", servo_lag},
-          {"mass_error", mass_error},
-          {"friction", friction},
-          {"contact_threshold_n", threshold},
-          {"contact_erp", contact_erp},
-          {"contact_cfm_m_n_s", contact_cfm},
-          {"contact_correcting_speed_m_s", correcting_speed},
-          {"hinge_erp", hinge_erp},
-          {"hinge_cfm", hinge_cfm},
-          {"start_clearance_m", clearance}};
-}
-
-Parameters parameters(const footstep_gen::StepParams& params) {
-  const auto& [stroke, height, roughness_gain, max_height, urgent_share, stability_margin] = params;
-  return {{"stroke_m", stroke},
-          {"height_m", height},
-          {"roughness_gain", roughness_gain},
-          {"max_height_m", max_height},
-          {"urgent_share", urgent_share},
-          {"stability_margin_m", stability_margin}};
-}
-
-Parameters parameters(const SwingParams& params) {
-  const auto& [unload, load, even_load, lift, clearance, transfer, max_speed, overlap, descent,
-               touchdown, margin, search, acceleration, commit, back, up, blocked, retreat,
-               retreats, touch, confirm, lost, regain, reflexes, search_time, follow_rate] = params;
-  return {{"unload_time_s", unload},
-          {"load_time_s", load},
-          {"even_load_rate_1_s", even_load},
-          {"lift_time_s", lift},
-          {"clearance_share", clearance},
-          {"transfer_time_s", transfer},
-          {"max_speed_m_s", max_speed},
-          {"overlap_time_s", overlap},
-          {"descent_speed_m_s", descent},
-          {"touchdown_speed_m_s", touchdown},
-          {"touchdown_margin_m", margin},
-          {"search_speed_m_s", search},
-          {"vertical_acceleration_m_s2", acceleration},
-          {"commit_height_m", commit},
-          {"retreat_back_m", back},
-          {"retreat_up_m", up},
-          {"blocked_error_m", blocked},
-          {"retreat_time_s", retreat},
-          {"max_retreats", retreats},
-          {"touch_time_s", touch},
-          {"confirm_time_s", confirm},
-          {"lost_time_s", lost},
-          {"regain_time_s", regain},
-          {"reflexes", reflexes},
-          {"search_time_s", search_time},
-          {"follow_rate_1_s", follow_rate}};
-}
-
-Parameters parameters(const BaseParams& params) {
-  const auto& [acceleration, max_speed, advance_rate, correction_rate, correction_speed,
-               correction_turn, posture_rate, height_speed, tilt_speed, outer_radius] = params;
-  return {{"acceleration_m_s2", acceleration},        {"max_speed_m_s", max_speed},
-          {"advance_rate_1_s", advance_rate},         {"correction_rate_1_s", correction_rate},
-          {"correction_speed_m_s", correction_speed}, {"correction_turn_rad_s", correction_turn},
-          {"posture_rate_1_s", posture_rate},         {"height_speed_m_s", height_speed},
-          {"tilt_speed_rad_s", tilt_speed},           {"outer_radius_m", outer_radius}};
+  RobotParams robot;
+  robot.plant = params;
+  Parameters all = {{"physics_dt_s", params.physics_dt},
+                    {"control_dt_s", params.control_dt},
+                    {"gravity_m_s2", params.gravity},
+                    {"velocity_limits", params.velocity_limits},
+                    {"drive_friction_n_m", params.drive_friction},
+                    {"armature_kg_m2", params.armature},
+                    {"servo_lag_s", params.servo_lag},
+                    {"mass_error", params.mass_error},
+                    {"friction", params.friction},
+                    {"contact_erp", params.contact_erp},
+                    {"hinge_erp", params.hinge_erp}};
+  append(all, "", parameters(robot, "plant."));
+  return all;
 }
 
 Parameters parameters(const VirtualModelParams& params) {
@@ -114,15 +77,23 @@ Parameters parameters(const VirtualModelParams& params) {
 }
 
 Parameters parameters(const footstep_gen::WalkerParams& params) {
-  const auto& [control_dt, sensors, gait, stepper, step, executor, late_limit] = params;
+  const auto& [control_dt, sensors, gait, stepper, step, executor, tolerance, late_limit] = params;
   const auto& [swing, base, gravity, controller, virtual_model] = executor;
+  RobotParams robot;
+  robot.step = step;
+  robot.swing = swing;
+  robot.base = base;
+  robot.tolerance = tolerance;
   Parameters all = {{"late_limit_s", late_limit},
-                    {"gait.tie_tolerance_m", gait.tie_tolerance},
                     {"gravity_m_s2", gravity},
-                    {"whole_body_controller", static_cast<double>(controller)}};
-  append(all, "step.", parameters(step));
-  append(all, "swing.", parameters(swing));
-  append(all, "base.", parameters(base));
+                    {"whole_body_controller", static_cast<double>(controller)},
+                    {"step.roughness_gain", step.roughness_gain},
+                    {"step.urgent_share", step.urgent_share},
+                    {"swing.clearance_share", swing.clearance_share},
+                    {"swing.max_retreats", swing.max_retreats},
+                    {"swing.reflexes", swing.reflexes}};
+  for (const char* prefix : {"step.", "swing.", "base.", "gait.", "tolerance."})
+    append(all, "", parameters(robot, prefix));
   append(all, "virtual_model.", parameters(virtual_model));
   return all;
 }
@@ -258,8 +229,8 @@ Provenance provenance(const std::string& name, const RobotModel& robot,
                       const Simulation& simulation) {
   Provenance result = provenance();
   result.robots = {{name, model_hash(robot)}};
-  result.physics = parameters(world_params(simulation));
-  result.controller = parameters(walker_params(simulation));
+  result.physics = parameters(completed(world_params(simulation), robot));
+  result.controller = parameters(footstep_gen::completed(walker_params(simulation), robot));
   return result;
 }
 

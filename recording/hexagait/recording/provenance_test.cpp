@@ -34,7 +34,8 @@ TEST(Provenance, NamesRobotPhysicsControllerAndLibraries) {
   EXPECT_EQ(json["robots"][0]["model"].get<std::string>().size(), 16U);
   EXPECT_EQ(json["physics"]["physics_dt_s"], 0.001);
   EXPECT_EQ(json["physics"]["friction"], sim3d::WorldParams{}.friction);
-  EXPECT_EQ(json["controller"]["step.stroke_m"], footstep_gen::StepParams{}.stroke);
+  EXPECT_EQ(json["controller"]["step.stroke_m"], params_for(argos()).step.stroke);
+  EXPECT_EQ(json["physics"]["plant.servo_kp_n_m_rad"], params_for(argos()).plant.servo_kp);
   for (const char* library : {"ODE", "Box2D", "Eigen", "yaml-cpp", "libc"})
     EXPECT_NE(json["libraries"][library], "") << library;
   EXPECT_TRUE(json["libraries"]["ODE"].get<std::string>().find("ODE") != std::string::npos);

@@ -5,16 +5,21 @@
 
 namespace hexagait::recording {
 
-double physics_step_for(double control_dt, double usual) {
-  return control_dt / std::ceil(control_dt / usual - 1e-9);
-}
-
 sim3d::WorldParams world_params(const Simulation& simulation) {
   sim3d::WorldParams params = simulation.plant.world;
+  static_cast<PlantParams&>(params) = simulation.params.plant;
+  if (!std::isnan(simulation.plant.world.contact_threshold))
+    params.contact_threshold = simulation.plant.world.contact_threshold;
   params.physics_dt = simulation.physics_dt;
   params.control_dt = simulation.control_dt;
   params.seed = simulation.seed;
   return params;
+}
+
+void complete(Simulation& simulation, const RobotModel& robot) {
+  const sim3d::WorldParams world = completed(world_params(simulation), robot);
+  simulation.physics_dt = world.physics_dt;
+  simulation.plant.world.contact_threshold = world.contact_threshold;
 }
 
 footstep_gen::WalkerParams walker_params(const Simulation& simulation) {
@@ -22,7 +27,12 @@ footstep_gen::WalkerParams walker_params(const Simulation& simulation) {
   params.control_dt = simulation.control_dt;
   params.sensors = simulation.sensors;
   params.gait.adjustment = simulation.gait.adjustment;
+  params.gait.tie_tolerance = simulation.params.tolerance.tie;
   params.stepper = simulation.gait.stepper;
+  params.step = simulation.params.step;
+  params.executor.swing = simulation.params.swing;
+  params.executor.base = simulation.params.base;
+  params.tolerance = simulation.params.tolerance;
   return params;
 }
 
@@ -38,7 +48,9 @@ walk::Summary simulate(const RobotModel& robot, const Simulation& simulation,
     if (observer) observer(record, truth, referee);
     if (stop != nullptr && stop->load()) walker.emergency_stop();
   };
-  return walk::run_trial(walker, plant, world.truth(), simulation.trial, watch);
+  walk::TrialOptions trial = simulation.trial;
+  trial.referee = simulation.params.referee;
+  return walk::run_trial(walker, plant, world.truth(), trial, watch);
 }
 
 }  // namespace hexagait::recording

@@ -13,18 +13,19 @@ namespace hexagait::recording {
 /// A walk of a robot in the simulator, as a value: everything that decides how it goes.
 struct Simulation {
   sim3d::TerrainSpec terrain;
-  std::uint64_t seed = 1;     ///< of terrain, random posture, and all that is drawn of the plant
-  double physics_dt = 0.002;  ///< physics step [s]
-  double control_dt = 0.002;  ///< control period, a whole number of physics steps [s]
-  PlantSetup plant;           ///< what is not ideal about the robot, its sensors and the ground
+  std::uint64_t seed = 1;        ///< of terrain, random posture, and all that is drawn of the plant
+  double physics_dt = kDerived;  ///< physics step [s]
+  double control_dt = 0.002;     ///< control period, a whole number of physics steps [s]
+  RobotParams params;            ///< what is kDerived follows from the robot's model
+  PlantSetup plant;              ///< what is not ideal about the robot, its sensors and the ground
   SensorMask sensors;
   gait_state::GaitChoice gait;  ///< until the schedule says otherwise
   double random_posture = 0.0;  ///< feet start displaced by up to this [m]
   walk::TrialOptions trial;
 };
 
-/// The longest physics step, of at most `usual`, of which a control period is a multiple [s].
-[[nodiscard]] double physics_step_for(double control_dt, double usual = 0.002);
+/// Sets what is kDerived of steps of time and plant, for reports.
+void complete(Simulation& simulation, const RobotModel& robot);
 
 /// The world and the controller of a simulation.
 [[nodiscard]] sim3d::WorldParams world_params(const Simulation& simulation);

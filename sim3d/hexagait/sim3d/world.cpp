@@ -171,6 +171,19 @@ class World::Impl {
   GroundTruth truth_;
 };
 
+double physics_step_for(double control_dt, double longest) {
+  return control_dt / std::ceil(control_dt / longest - 1e-9);
+}
+
+WorldParams completed(WorldParams params, const RobotModel& robot) {
+  RobotParams all;
+  all.plant = params;
+  static_cast<PlantParams&>(params) = completed(all, robot, params.gravity).plant;
+  if (std::isnan(params.physics_dt))
+    params.physics_dt = physics_step_for(params.control_dt, params.longest_step);
+  return params;
+}
+
 std::span<const Imperfection<WorldParams>> imperfections() {
   static constexpr Imperfection<WorldParams> kAll[] = {
       {"friction", &WorldParams::friction, PlantUnit::number, 0.0, 10.0,
@@ -190,9 +203,10 @@ std::span<const Imperfection<WorldParams>> imperfections() {
 
 World::World(const RobotModel& robot, const TerrainSpec& terrain, const WorldParams& params,
              const LegArray<LegJoints>& q) {
-  detail::check(robot, params, q);
+  const WorldParams complete = completed(params, robot);
+  detail::check(robot, complete, q);
   detail::initialise_ode();
-  impl_ = std::make_unique<Impl>(robot, terrain, params, q);
+  impl_ = std::make_unique<Impl>(robot, terrain, complete, q);
 }
 World::~World() = default;
 World::World(World&&) noexcept = default;

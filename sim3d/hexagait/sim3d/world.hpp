@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <hexagait/math/planar.hpp>
 #include <hexagait/model/robot_model.hpp>
+#include <hexagait/params/params_for.hpp>
 #include <hexagait/plant/plant.hpp>
 #include <hexagait/sim/ground_truth.hpp>
 #include <hexagait/sim/imperfection.hpp>
@@ -22,10 +23,10 @@ struct Block {
   Vector3 size = Vector3::Constant(0.1);  ///< edges [m]
 };
 
-/// Parameters of a World. The defaults suit a robot of some 50 kg.
-struct WorldParams {
-  /// Physics step h [s]. Larger: faster, but feet drift in proportion to h (docs/theory.md 6).
-  double physics_dt = 0.002;
+/// Parameters of a World. What is kDerived follows from the robot's model.
+struct WorldParams : PlantParams {
+  /// Physics step h [s]; if it is kDerived, physics_step_for(control_dt, longest_step).
+  double physics_dt = kDerived;
 
   /// Control period, by which write() advances the world [s]. A multiple of physics_dt.
   double control_dt = 0.002;
@@ -33,19 +34,7 @@ struct WorldParams {
   /// Seed of the terrain, and of the masses of mass_error.
   std::uint64_t seed = 1;
 
-  double gravity = 9.81;  ///< [m/s²], along −z
-
-  /// Stiffness Kp [N m/rad] and damping Kd [N m s/rad] of every joint's servo. Too low: the body
-  /// sags under its weight. Too high: feet on uneven ground build up internal forces and jump.
-  double servo_kp = 4000.0;
-  double servo_kd = 100.0;
-
-  /// Gain in velocity mode, τ = Kv (q̇* − q̇₊) + τ* [N m s/rad]. Too low: legs sink under their
-  /// weight.
-  double servo_kv = 1000.0;
-
-  /// Viscous friction D of the drive in effort mode, τ = τ* − D q̇₊ [N m s/rad].
-  double servo_friction = 1.0;
+  double gravity = kStandardGravity;  ///< [m/s²], along −z
 
   /// The drives keep to the model's velocity limits, as motors with so much voltage do: no torque
   /// drives a joint beyond them, and what is moved faster from outside is braked.
@@ -71,27 +60,17 @@ struct WorldParams {
   /// force in each of two directions along the ground.
   double friction = 0.9;
 
-  /// Normal force on a foot from which its contact sensor closes [N]. Too low: a foot that brushes
-  /// an edge counts as standing. Too high: a lightly loaded foot does not.
-  double contact_threshold = 5.0;
-
   /// The ground is slightly soft. Each step removes the fraction `erp` of the penetration, at most
-  /// at the correcting speed [m/s], and a force F penetrates at the speed `cfm` · F, with cfm in
-  /// m/(N s). So a foot with load F stands h · cfm/erp · F deep: 5 µm at 80 N. Harder ground:
-  /// impacts at touchdown.
+  /// at contact_correcting_speed, and a force F penetrates at the speed `cfm` · F, with cfm in
+  /// m/(N s): contact_cfm. So a foot with load F stands h · cfm/erp · F deep: 5 µm at 80 N and cfm
+  /// 1e-5. Harder ground: impacts at touchdown.
   double contact_erp = 0.3;
-  double contact_cfm = 1e-5;
-  double contact_correcting_speed = 0.5;
 
-  /// The same for the hinges.
+  /// The same for the hinges, with hinge_cfm.
   double hinge_erp = 0.4;
-  double hinge_cfm = 1e-8;
 
   /// Pose of the base in the plane at the start. The terrain has a flat pad around the origin.
   PlanarPose start;
-
-  /// Height of the lowest foot above the ground at the start [m].
-  double start_clearance = 1e-4;
 
   /// Least height of the base's origin above the ground at the start [m], for a robot on its belly.
   double start_height = -std::numeric_limits<double>::infinity();
@@ -102,6 +81,12 @@ struct WorldParams {
   /// Fixes the base where it starts, with the legs hanging from it, as on a test stand.
   bool base_on_stand = false;
 };
+
+/// Sets what is kDerived to what follows from the robot's model.
+[[nodiscard]] WorldParams completed(WorldParams params, const RobotModel& robot);
+
+/// The longest physics step, of at most `longest`, of which a control period is a multiple [s].
+[[nodiscard]] double physics_step_for(double control_dt, double longest);
 
 /// Those of the parameters that say how far the robot and the ground are from ideal ones.
 [[nodiscard]] std::span<const Imperfection<WorldParams>> imperfections();

@@ -11,15 +11,13 @@
 namespace hexagait::walk {
 namespace {
 
-// A base that touches the ground faster than this has fallen; a controlled descent is slower. A
-// free fall of 2 cm reaches it [m/s].
-constexpr double kFallSpeed = 0.6;
-
 // Judges an action by ground truth.
 class ActionReferee {
  public:
   ActionReferee(const RobotModel& model, const GroundTruth& truth)
-      : model_(model), touched_at_(model.num_legs(), truth.time) {
+      : model_(model),
+        params_(completed(RefereeParams{}, model)),
+        touched_at_(model.num_legs(), truth.time) {
     summary_.height_min = summary_.height_max = truth.X_WB.p.z();
     summary_.state_hash = kFnv1aBasis;
     watch_motion(truth);
@@ -50,7 +48,7 @@ class ActionReferee {
     summary_.tilt_max = std::max({summary_.tilt_max, std::abs(rpy.x()), std::abs(rpy.y())});
     summary_.height_min = std::min(summary_.height_min, truth.X_WB.p.z());
     summary_.height_max = std::max(summary_.height_max, truth.X_WB.p.z());
-    const bool hit = truth.base_touches_ground && !touched_ && sinking_ > kFallSpeed;
+    const bool hit = truth.base_touches_ground && !touched_ && sinking_ > params_.fall_speed;
     summary_.fell = summary_.fell || hit || !truth.finite || summary_.tilt_max > kFallTilt;
     summary_.base_touched = summary_.base_touched || truth.base_touches_ground;
     summary_.leg_touched = summary_.leg_touched || truth.leg_touches_ground;
@@ -62,7 +60,7 @@ class ActionReferee {
     for (LegId i = 0; i < model_.num_legs(); ++i) {
       p_WF[i] = truth.feet[i].p_WF;
       if (truth.feet[i].in_contact) touched_at_[i] = truth.time;
-      feet.set(i, truth.time - touched_at_[i] < kBounce);
+      feet.set(i, truth.time - touched_at_[i] < params_.bounce);
     }
     summary_.stands_at_end = !truth.base_touches_ground && feet == LegSet::all(model_.num_legs());
     if (truth.base_touches_ground || feet.empty()) return;
@@ -91,6 +89,7 @@ class ActionReferee {
   }
 
   const RobotModel& model_;
+  RefereeParams params_;
   ActionSummary summary_;
   Pose X_WO_;
   LegArray<double> touched_at_;  ///< when each foot last touched [s]

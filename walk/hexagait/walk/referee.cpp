@@ -13,10 +13,6 @@ namespace {
 
 using footstep_gen::TickRecord;
 
-constexpr double kSettling = 0.02;   // a support younger than this may still lose contact [s]
-constexpr double kBriefLoss = 0.02;  // a loss of contact up to so long may be a bounce [s], ...
-constexpr double kNearLoss = 0.005;  // ... if the foot goes no farther [m]
-
 PlanarPose in_plane(const Pose& X_WB) { return {roll_pitch_yaw(X_WB.R).z(), X_WB.p.head<2>()}; }
 
 LegSet feet_in_contact(const GroundTruth& truth) {
@@ -27,6 +23,12 @@ LegSet feet_in_contact(const GroundTruth& truth) {
 
 }  // namespace
 
+RefereeParams completed(const RefereeParams& params, const RobotModel& model) {
+  RobotParams all;
+  all.referee = params;
+  return completed(all, model).referee;
+}
+
 double percentile(std::vector<double> values, double share) {
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
   const auto rank = static_cast<std::size_t>(
@@ -36,18 +38,21 @@ double percentile(std::vector<double> values, double share) {
 }
 
 Referee::Referee(const RobotModel& model, const GroundTruth& truth, double control_dt,
-                 const Patience& patience)
+                 const RefereeParams& params)
     : model_(&model),
       dt_(control_dt),
-      patience_(patience),
+      params_(completed(params, model)),
       start_(in_plane(truth.X_WB)),
       path_(start_),
       stances_(model.num_legs()),
       slip_before_touch_(model.num_legs(), Vector3::Zero()),
       supports_(model.num_legs()),
       lift_time_(model.num_legs(), 0.0),
+      not_standing_(model.num_legs(), 0.0),
+      not_stepping_(model.num_legs(), 0.0),
       yaw_before_(start_.angle) {
   for (LegId i = 0; i < model.num_legs(); ++i) {
+    outer_ = std::max(outer_, model.legs[i].p_BC.head<2>().norm());
     stances_[i] = {.stands = truth.feet[i].in_contact, .slip_before = truth.feet[i].slip};
     slip_before_touch_[i] = truth.feet[i].slip;
   }
@@ -104,7 +109,7 @@ void Referee::watch_posture(const GroundTruth& truth) {
   if (std::isfinite(margin)) margins_.push_back(margin);
 }
 
-// A stance is from the first touch to the last one before the foot is off the ground for kBounce.
+// A stance is from the first touch to the last one before the foot is off the ground for `bounce`.
 void Referee::watch_stances(const GroundTruth& truth) {
   for (LegId i = 0; i < model_->num_legs(); ++i) {
     const FootTruth& foot = truth.feet[i];
@@ -115,7 +120,7 @@ void Referee::watch_stances(const GroundTruth& truth) {
     } else {
       stance.off += dt_;
     }
-    if (stance.stands && stance.off > kBounce) {
+    if (stance.stands && stance.off > params_.bounce) {
       slips_.push_back((foot.slip - stance.slip_before).norm());
       stance.stands = false;
     }
@@ -138,7 +143,7 @@ void Referee::watch_support(const TickRecord& record, const GroundTruth& truth) 
     const FootTruth& foot = truth.feet[i];
     if (foot.in_contact) support.p_W = foot.p_WF;
     if (lane.phase != LegPhase::support || !lane.confirmed) continue;
-    const bool lost = !foot.in_contact && support.age > kSettling;
+    const bool lost = !foot.in_contact && support.age > params_.settling;
     if (lost && !support.lost) {
       ++summary_.contact_losses;
       support.off = 0.0;
@@ -147,8 +152,8 @@ void Referee::watch_support(const TickRecord& record, const GroundTruth& truth) 
     support.lost = lost;
     if (!lost || support.is_real) continue;
     support.off += dt_;
-    support.is_real =
-        support.off > kBriefLoss + 1e-9 || (foot.p_WF - support.p_W).norm() > kNearLoss;
+    support.is_real = support.off > params_.brief_loss + 1e-9 ||
+                      (foot.p_WF - support.p_W).norm() > params_.near_loss;
     if (support.is_real) ++summary_.real_contact_losses;
   }
 }
@@ -165,15 +170,42 @@ void Referee::watch_rule1(const TickRecord& record, const GroundTruth& truth) {
   if (gait_state::breaks_rule_1(in_air, n)) summary_.neighbour_flight += dt_;
 }
 
+void Referee::watch_legs(const TickRecord& record) {
+  for (LegId i = 0; i < model_->num_legs(); ++i) {
+    const LegLane& lane = record.legs[i];
+    const bool stands = lane.phase == LegPhase::support && lane.confirmed;
+    not_standing_[i] = stands ? 0.0 : not_standing_[i] + dt_;
+    not_stepping_[i] = record.lifts.contains(i) ? 0.0 : not_stepping_[i] + dt_;
+  }
+}
+
+// The leg that has been off the ground for longest, if that is longer than steps take; else the one
+// that has not stepped for longest.
+Hindrance Referee::hindrance(const TickRecord& record) const {
+  const auto longest = [](const LegArray<double>& times) {
+    return static_cast<LegId>(std::ranges::max_element(times) - times.begin());
+  };
+  constexpr double kLong = 0.25;  // of the patience
+  const LegId off = longest(not_standing_), waiting = longest(not_stepping_);
+  const bool is_off = not_standing_[off] > kLong * params_.patience;
+  const LegId leg = is_off ? off : waiting;
+  const LegLane& lane = record.legs[leg];
+  return {leg, lane.phase, is_off ? not_standing_[leg] : not_stepping_[leg], lane.retreats};
+}
+
 void Referee::watch_progress(const TickRecord& record) {
+  watch_legs(record);
   const bool spins = record.heading.rho() == 0.0;
-  const double progress = spins ? std::abs(turned_ - turned_before_) : deviation_.progress;
+  // A turn in place counts by the way of the feet.
+  const double progress = spins ? outer_ * std::abs(turned_ - turned_before_) : deviation_.progress;
   idle_ = record.heading.moving() ? idle_ + dt_ : 0.0;
-  if (progress > progress_seen_ + patience_.progress) {
+  if (progress > progress_seen_ + params_.progress) {
     progress_seen_ = progress;
     idle_ = 0.0;
   }
-  summary_.stuck = summary_.stuck || idle_ > patience_.seconds;
+  if (summary_.stuck || idle_ <= params_.patience) return;
+  summary_.stuck = true;
+  summary_.hindrance = hindrance(record);
 }
 
 Summary Referee::summary() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <hexagait/gait_state/tripod_gait.hpp>
+#include <hexagait/params/params_for.hpp>
 #include <hexagait/sim/ground_truth.hpp>
 #include <hexagait/walk/reference_path.hpp>
 #include <hexagait/walk/summary.hpp>
@@ -14,23 +15,16 @@ namespace hexagait::walk {
 using gait_state::first_tripod_gait;
 using gait_state::TimedLift;
 
-/// A foot that is off the ground for less than this goes on standing: too short to tip [s].
-inline constexpr double kBounce = 0.05;
 /// A base that tilts by more than this has fallen [rad].
 inline constexpr double kFallTilt = std::numbers::pi / 3.0;
-
-/// A robot that is to move and does not make so much progress in so long is stuck.
-struct Patience {
-  double seconds = 10.0;   ///< [s]
-  double progress = 0.05;  ///< of path [m], or turned in a turn in place [rad]
-};
 
 /// Judges a walk by ground truth, tick by tick. Sees what the controller can't, and tells it
 /// nothing.
 class Referee {
  public:
+  /// @param params  what is kDerived follows from the robot's model
   Referee(const RobotModel& model, const GroundTruth& truth, double control_dt,
-          const Patience& patience = {});
+          const RefereeParams& params = {});
 
   /// After every tick of the controller and step of the plant.
   void observe(const footstep_gen::TickRecord& record, const GroundTruth& truth);
@@ -66,11 +60,13 @@ class Referee {
   void watch_stances(const GroundTruth& truth);
   void watch_support(const footstep_gen::TickRecord& record, const GroundTruth& truth);
   void watch_rule1(const footstep_gen::TickRecord& record, const GroundTruth& truth);
+  [[nodiscard]] Hindrance hindrance(const footstep_gen::TickRecord& record) const;
+  void watch_legs(const footstep_gen::TickRecord& record);
   void watch_progress(const footstep_gen::TickRecord& record);
 
   const RobotModel* model_;
   double dt_;
-  Patience patience_;
+  RefereeParams params_;
   PlanarPose start_;
   ReferencePath path_;
   heading_control::Heading heading_ = heading_control::Heading::stop();
@@ -86,9 +82,14 @@ class Referee {
   std::vector<TimedLift> lifts_;
   double idle_ = 0.0, progress_seen_ = 0.0;
   double turned_ = 0.0, turned_before_ = 0.0, yaw_before_ = 0.0;
+  LegArray<double> not_standing_, not_stepping_;  ///< for how long each leg [s]
+  double outer_ = 0.0;                            ///< the farthest workspace centre [m]
   Summary summary_;
   Pose odometry_, truth_;
 };
+
+/// Sets what is kDerived to what follows from the robot's model.
+[[nodiscard]] RefereeParams completed(const RefereeParams& params, const RobotModel& model);
 
 /// Nearest-rank percentile of values; NaN, which no bound contains, if there are none.
 /// @param share  0 … 1

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <hexagait/params/params_for.hpp>
 #include <hexagait/sim/random.hpp>
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/text/quantity.hpp>
@@ -109,13 +110,13 @@ Schedule load_schedule(const std::string& path) {
   return schedule;
 }
 
-Schedule random_schedule(std::uint64_t seed, double period, double seconds) {
-  constexpr double kMaxCurvature = 1.0 / 0.3;
+Schedule random_schedule(std::uint64_t seed, double period, double seconds, double least_radius) {
+  const double most = 1.0 / least_radius;
   RandomSequence random{.seed = seed, .stream = RandomStream::commands};
   Schedule schedule;
   for (int k = 0; k == 0 || k * period < seconds; ++k) {
     const double kind = random.u01();
-    const double curvature = random.uniform(-kMaxCurvature, kMaxCurvature);
+    const double curvature = random.uniform(-most, most);
     const double crab = random.uniform(-std::numbers::pi, std::numbers::pi);
     Heading heading = Heading::arc(1.0 / curvature, crab);
     if (kind < 0.1) heading = Heading::straight(crab);
@@ -124,6 +125,8 @@ Schedule random_schedule(std::uint64_t seed, double period, double seconds) {
   }
   return schedule;
 }
+
+double tightest_radius(const RobotModel& robot) { return 0.3 * scale_of(robot).size; }
 
 double parse_angle(const std::string& text) {
   const auto [value, problem] = parse_quantity(text, Dimension::angle);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <hexagait/heading_control/heading.hpp>
+#include <hexagait/model/robot_model.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,8 +39,12 @@ using Schedule = std::vector<TimedCommand>;
 [[nodiscard]] Schedule load_schedule(const std::string& path);
 
 /// A new random heading every `period` seconds: a radius of either sign (uniform curvature up to
-/// 1/0.3 m, one in ten straight, one in ten a spin) and any crab angle.
-[[nodiscard]] Schedule random_schedule(std::uint64_t seed, double period, double seconds);
+/// that of `least_radius` [m], one in ten straight, one in ten a spin) and any crab angle.
+[[nodiscard]] Schedule random_schedule(std::uint64_t seed, double period, double seconds,
+                                       double least_radius);
+
+/// Radius of the tightest arcs of random schedules for a robot, 0.3 of its size [m].
+[[nodiscard]] double tightest_radius(const RobotModel& robot);
 
 /// Reads an angle such as 30deg, 0.5rad or 0.5; at most 2π without a unit. @throws InvalidInput
 [[nodiscard]] double parse_angle(const std::string& text);

@@ -148,8 +148,8 @@ TEST(Schedule, HoldsTheFirstCommandBeforeItsTime) {
 }
 
 TEST(RandomSchedule, IsAPureFunctionOfItsArguments) {
-  const Schedule a = random_schedule(3, 2.0, 100.0), b = random_schedule(3, 2.0, 100.0);
-  const Schedule other = random_schedule(4, 2.0, 100.0);
+  const Schedule a = random_schedule(3, 2.0, 100.0, 0.3), b = random_schedule(3, 2.0, 100.0, 0.3);
+  const Schedule other = random_schedule(4, 2.0, 100.0, 0.3);
   ASSERT_EQ(a.size(), 50U);
   int same = 0;
   for (std::size_t k = 0; k < a.size(); ++k) {
@@ -162,7 +162,8 @@ TEST(RandomSchedule, IsAPureFunctionOfItsArguments) {
 
 // A longer schedule begins with the shorter one: the time asked for decides nothing else.
 TEST(RandomSchedule, OfALongerTimeBeginsTheSame) {
-  const Schedule brief = random_schedule(5, 1.0, 10.0), longer = random_schedule(5, 1.0, 20.0);
+  const Schedule brief = random_schedule(5, 1.0, 10.0, 0.3),
+                 longer = random_schedule(5, 1.0, 20.0, 0.3);
   for (std::size_t k = 0; k < brief.size(); ++k) EXPECT_EQ(brief[k].heading, longer[k].heading);
 }
 
@@ -170,7 +171,7 @@ TEST(RandomSchedule, OfALongerTimeBeginsTheSame) {
 // turns, half go left.
 TEST(RandomSchedule, HasTheSharesItPromises) {
   int straight = 0, spins = 0, left = 0;
-  for (const TimedCommand& command : random_schedule(1, 1.0, 2000.0)) {
+  for (const TimedCommand& command : random_schedule(1, 1.0, 2000.0, 0.3)) {
     const Heading& heading = command.heading;
     straight += heading.curvature() == 0.0;
     spins += heading.rho() == 0.0;

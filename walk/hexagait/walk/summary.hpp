@@ -5,8 +5,20 @@
 #include <cstdint>
 #include <hexagait/footstep_gen/tick_record.hpp>
 #include <optional>
+#include <string>
 
 namespace hexagait::walk {
+
+/// What a robot that is stuck waits for.
+struct Hindrance {
+  LegId leg = 0;
+  LegPhase phase = LegPhase::support;  ///< in which it is
+  double seconds = 0.0;                ///< since it last stood; of a leg that stands, lifted [s]
+  int retreats = 0;                    ///< collisions in its present step
+};
+
+/// "leg LF rises or transfers for 4.2 s …", and what would help.
+[[nodiscard]] std::string in_words(const Hindrance& hindrance, const RobotModel& robot);
 
 /// How well a robot walked, by ground truth. What was not computed is 0; what is a statistic of
 /// nothing is NaN.
@@ -49,9 +61,11 @@ struct Summary {
   /// Those of them that lasted longer than 20 ms, or in which the foot went more than 5 mm from where
   /// it last touched. The others are bounces, most of them when another foot strikes the ground.
   int real_contact_losses = 0;
-  bool fell = false;     ///< the base touched the ground, or tilted by more than 60°
-  bool stuck = false;    ///< no 5 cm (or 0.05 rad of a spin) of progress in 10 s
-  bool arrived = false;  ///< the distance asked for was reached
+  bool fell = false;  ///< the base touched the ground, or tilted by more than 60°
+  /// No progress for too long: RefereeParams::progress and patience; and what was in the way.
+  bool stuck = false;
+  Hindrance hindrance;
+  bool arrived = false;                                   ///< the distance asked for was reached
   footstep_gen::Fault fault = footstep_gen::Fault::none;  ///< why the controller stopped, if it did
 
   double real_time_factor = 0.0;             ///< simulated seconds per second of processor time

@@ -43,7 +43,7 @@ Summary run_trial(footstep_gen::Walker& walker, Plant& plant, const GroundTruth&
   const double dt = walker.params().control_dt;
   const auto ticks = static_cast<long>(std::llround(options.seconds / dt));
   Measurement measurement = settled(walker, plant, options.settle);
-  Referee referee(walker.model(), truth, dt);
+  Referee referee(walker.model(), truth, dt, options.referee);
   std::vector<double> tick_times;
   tick_times.reserve(static_cast<std::size_t>(ticks));
 
@@ -55,7 +55,8 @@ Summary run_trial(footstep_gen::Walker& walker, Plant& plant, const GroundTruth&
       walker.set_stepping(
           {.stepping = gait_state::Stepping::wave, .duty_factor = *command.duty_factor});
     const auto before = std::chrono::steady_clock::now();
-    const footstep_gen::TickRecord& record = walker.tick(status, measurement, command.heading);
+    const footstep_gen::TickRecord& record =
+        walker.tick(status, measurement, {command.heading, options.speed});
     tick_times.push_back(
         std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - before)
             .count());

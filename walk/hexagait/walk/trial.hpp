@@ -14,7 +14,10 @@ struct TrialOptions {
   Schedule schedule;                                          ///< commands over time, at least one
   double seconds = 40.0;                                      ///< time limit [s]
   double distance = std::numeric_limits<double>::infinity();  ///< path limit [m]
-  double settle = 0.2;  ///< the robot stands for this long before the walk [s]
+  /// Bound of the speed along the path, at the farthest workspace centre [m/s].
+  double speed = std::numeric_limits<double>::infinity();
+  RefereeParams referee;  ///< see params_for()
+  double settle = 0.2;    ///< the robot stands for this long before the walk [s]
 };
 
 /// Called after every tick with the controller's record, the truth, and the referee so far.

@@ -4,6 +4,7 @@
 
 #include <hexagait/action/frames.hpp>
 #include <hexagait/curves/knots.hpp>
+#include <hexagait/params/robot_params.hpp>
 #include <hexagait/text/mark.hpp>
 #include <string>
 #include <variant>
@@ -13,7 +14,8 @@ namespace hexagait::action {
 
 // The commands of [FG16] Table I as scripts write them: in any frame, with targets and average
 // rates. When a step starts, its commands are resolved into plans over time in odom, or in the body
-// frame if they are given there. Plain values; load_action() reads them from YAML.
+// frame if they are given there. Plain values; load_action() reads them from YAML. Rates, times and
+// heights that are kDerived are those of the robot: ScriptParams.
 
 using hexagait::Mark;
 
@@ -38,9 +40,9 @@ struct LegMotion {
 /// Lifts the foot, carries it over, puts it down. (Not the FootstepCommand of a gait generator.)
 struct Footstep : LegMotion {
   Position target;
-  double profile_height = 0.08;  ///< [m]
+  double profile_height = kDerived;  ///< [m]
   SwingProfile profile = SwingProfile::triangle;
-  double average_velocity = 0.65;       ///< [m/s]
+  double average_velocity = kDerived;   ///< [m/s]
   std::optional<double> duration = {};  ///< [s]; if set, average_velocity is not used
 };
 
@@ -50,7 +52,7 @@ struct EndEffectorTarget : LegMotion {
   Vector3 velocity = Vector3::Zero();      ///< at the target, in its frame [m/s]
   Vector3 acceleration = Vector3::Zero();  ///< [m/s²]
   Vector3 force = Vector3::Zero();         ///< of the foot on the world, fed forward [N]
-  double average_velocity = 0.3;           ///< [m/s]
+  double average_velocity = kDerived;      ///< [m/s]
 };
 
 /// Moves the foot along a trajectory. Velocities that are not given are chosen for a smooth curve.
@@ -62,8 +64,8 @@ struct EndEffectorTrajectory : LegMotion {
 /// Moves the joints to a target; NaN for what is not given. Without positions the velocities are
 /// integrated; with efforts alone the leg is driven by effort.
 struct JointTarget : LegMotion {
-  JointKnot target;               ///< its time is not used
-  double average_velocity = 1.0;  ///< of the joint with the largest motion [rad/s]
+  JointKnot target;                    ///< its time is not used
+  double average_velocity = kDerived;  ///< of the joint with the largest motion [rad/s]
 };
 
 /// Moves the joints along a trajectory.
@@ -74,7 +76,7 @@ struct JointTrajectory : LegMotion {
 /// Makes a leg a support leg, or lifts it out of support, where it is.
 struct LegMode : LegMotion {
   bool support_leg = false;
-  double duration = 0.5;  ///< [s]
+  double duration = kDerived;  ///< [s]
 };
 
 /// Moves the base to where it is best held over the feet ([FG16] II-D).
@@ -82,9 +84,9 @@ struct BaseAuto {
   /// Above the mean height of the feet [m]; without one, that of the previous BaseAuto.
   std::optional<double> height;
   bool ignore_timing_of_leg_motion = false;
-  double average_linear_velocity = 0.2;    ///< [m/s]
-  double average_angular_velocity = 0.28;  ///< [rad/s]
-  double support_margin = 0.04;            ///< [m]
+  double average_linear_velocity = kDerived;   ///< [m/s]
+  double average_angular_velocity = kDerived;  ///< [rad/s]
+  double support_margin = kDerived;            ///< [m]
 };
 
 /// Moves the base to a pose.
@@ -92,8 +94,8 @@ struct BaseTarget {
   FrameId frame = kOdom;
   Pose X_AB;
   bool ignore_timing_of_leg_motion = false;
-  double average_linear_velocity = 0.05;  ///< [m/s]
-  double average_angular_velocity = 0.1;  ///< [rad/s]
+  double average_linear_velocity = kDerived;   ///< [m/s]
+  double average_angular_velocity = kDerived;  ///< [rad/s]
 };
 
 /// Moves the base along a trajectory.

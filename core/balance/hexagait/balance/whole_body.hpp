@@ -6,6 +6,7 @@
 #include <hexagait/balance/contact_forces.hpp>
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/model/robot_model.hpp>
+#include <hexagait/params/robot_params.hpp>
 
 namespace hexagait {
 
@@ -26,11 +27,11 @@ struct VirtualModelParams {
   /// Natural frequency ω of the base's position [rad/s]. Lower: the base is softer; a force f
   /// displaces it by f/(m ω²), and it lags by a/ω² behind a plan that accelerates by a. Higher:
   /// stiffer. ω should be at most a fifth or so of the bandwidth of the joints' torque, and ω dt,
-  /// dt the control period, far below 1. With the default, 2 Hz, a force of a tenth of the weight
+  /// dt the control period, far below 1. At 2 Hz a force of a tenth of the weight
   /// displaces the base by 6 mm; it needs a torque bandwidth of 10 Hz and a control period of at
   /// most 10 ms.
-  double frequency = 12.5;
-  double turn_frequency = 12.5;  ///< natural frequency ω' of the base's rotation [rad/s]
+  double frequency = kDerived;
+  double turn_frequency = kDerived;  ///< natural frequency ω' of the base's rotation [rad/s]
 
   /// Damping ratio ζ. 1: critical, the fastest return without overshoot. Higher: slower, and more
   /// of the noise of the differentiated joint angles reaches the joints; lower: the base

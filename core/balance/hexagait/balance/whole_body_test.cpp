@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kGravity = 9.81;
 constexpr auto kKinematic = WholeBodyController::kinematic;
+constexpr VirtualModelParams kSprings{.frequency = 12.5, .turn_frequency = 12.5};
 constexpr auto kVirtualModel = WholeBodyController::virtual_model;
 
 const RobotModel& argos() {
@@ -46,7 +47,7 @@ struct Standing {
 };
 
 LegArray<LegJoints> efforts(WholeBodyController controller, const WholeBodyInput& input) {
-  return joint_efforts(controller, argos(), input, kGravity, {}).effort;
+  return joint_efforts(controller, argos(), input, kGravity, kSprings).effort;
 }
 
 /// What the feet do to the ground, from the efforts: F = −J⁻ᵀ τ is the ground on the robot. In the
@@ -162,7 +163,7 @@ TEST(WholeBody, ActsAtTheCentreOfMass) {
   WholeBodyInput& input = standing.input;
   input.error.p_B = {0.01, 0.0, 0.0};
   input.error.turn_B = {0.0, 0.0, 0.1};
-  const Wrench wrench = virtual_model_wrench(argos(), p_BM, input, 0.0, {});
+  const Wrench wrench = virtual_model_wrench(argos(), p_BM, input, 0.0, kSprings);
   const Vector3 force = 7812.5 * Vector3(0.01 + 0.1 * 0.05, 0.1 * 0.1, 0.0);
   EXPECT_LT((wrench.force - force).norm(), 1e-9);
   const Vector3 turning = 156.25 * 0.1 * argos().inertia_M_B.col(2);

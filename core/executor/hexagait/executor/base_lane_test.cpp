@@ -4,6 +4,7 @@
 
 #include <hexagait/executor/base_lane.hpp>
 #include <hexagait/sim/random.hpp>
+#include <testing/round_params.hpp>
 
 namespace hexagait {
 namespace {
@@ -23,7 +24,7 @@ double change(const BaseLane& a, const BaseLane& b, const BaseParams& params) {
 }
 
 TEST(BaseLane, NeverAcceleratesMoreThanItsBoundWhateverIsAsked) {
-  const BaseParams params;
+  const BaseParams params = testing::round_params().base;
   RandomSequence random{.seed = 4};
   const auto u = [&](double bound) { return random.uniform(-bound, bound); };
   BaseLane lane;
@@ -46,7 +47,7 @@ TEST(BaseLane, NeverAcceleratesMoreThanItsBoundWhateverIsAsked) {
 // The law is that of the end of the tick, so it never passes the goal: with no period, and with no
 // goal that the body could stop at.
 TEST(BaseLane, StopsAtTheGoalWithoutPassingItAtAnyPeriod) {
-  const BaseParams params;
+  const BaseParams params = testing::round_params().base;
   for (const double dt : {0.001, 0.002, 0.005, 0.010, 0.020}) {
     for (const double distance : {1e-4, 0.01, 0.0375, 0.1, 0.5, 2.0, -0.3}) {
       BaseLane lane;
@@ -67,7 +68,7 @@ TEST(BaseLane, StopsAtTheGoalWithoutPassingItAtAnyPeriod) {
 
 // Height and tilt, too, and all of it in the same time: within a period.
 TEST(BaseLane, TiltsAndLiftsWithoutPassingTheGoalAtAnyPeriod) {
-  const BaseParams params;
+  const BaseParams params = testing::round_params().base;
   double first[3] = {};
   for (const double dt : {0.001, 0.002, 0.005, 0.010, 0.020}) {
     BaseLane lane;
@@ -92,7 +93,7 @@ TEST(BaseLane, TiltsAndLiftsWithoutPassingTheGoalAtAnyPeriod) {
 // Half way at the bound, half way back: the time to stop is that of the bounds, d = a t²/4 each
 // half, plus the linear end, some 1/advance_rate.
 TEST(BaseLane, TakesNotMuchLongerThanTheBoundsAsk) {
-  const BaseParams params;
+  const BaseParams params = testing::round_params().base;
   const double distance = 0.2, least = 2.0 * std::sqrt(distance / params.acceleration);
   BaseLane lane;
   double x = 0.0, t = 0.0;
@@ -105,7 +106,7 @@ TEST(BaseLane, TakesNotMuchLongerThanTheBoundsAsk) {
 }
 
 TEST(BaseLane, GoesNoFartherThanMaxAdvanceAndNoFasterThanMaxSpeed) {
-  const BaseParams params;
+  const BaseParams params = testing::round_params().base;
   BaseAutoCommand command = straight_ahead();
   command.max_speed = 0.2;
   BaseLane lane;
@@ -122,7 +123,7 @@ TEST(BaseLane, GoesNoFartherThanMaxAdvanceAndNoFasterThanMaxSpeed) {
 
 // A large deviation is made good at the bound, in its own direction; a small one in proportion.
 TEST(BaseLane, CorrectsTowardsThePathWithinItsBounds) {
-  const BaseParams params;
+  const BaseParams params = testing::round_params().base;
   BaseAutoCommand command = straight_ahead();
   command.correction = {{0.3, 0.4}, -2.0};
   BaseLane lane;
@@ -143,7 +144,7 @@ TEST(BaseLane, CorrectsTowardsThePathWithinItsBounds) {
 // Height, roll and pitch: at the bound towards a far goal, then to rest at it. A first-order law of
 // rate 2/s under a generous bound doesn't overshoot, but for a tick.
 TEST(BaseLane, RaisesAndLevelsTheBodyWithoutOvershoot) {
-  const BaseParams params;
+  const BaseParams params = testing::round_params().base;
   const BaseGoal goal{.height = 0.2, .roll = -0.4, .pitch = 0.5};
   BaseLane lane;
   Vector3 at = Vector3::Zero();
@@ -161,7 +162,7 @@ TEST(BaseLane, RaisesAndLevelsTheBodyWithoutOvershoot) {
 }
 
 TEST(BaseLane, MirrorsLeftAndRight) {
-  const BaseParams params;
+  const BaseParams params = testing::round_params().base;
   BaseAutoCommand left, right;
   left.path = {{0.6, 0.3}, 0.5}, right.path = {{0.6, -0.3}, -0.5};
   left.correction = {{0.01, 0.02}, 0.03}, right.correction = {{0.01, -0.02}, -0.03};

@@ -17,7 +17,7 @@ namespace hexagait {
 struct FootstepCommand {
   LegId leg = 0;
   Vector3 p_OT = Vector3::Zero();  ///< target of the foot's centre, in odom [m]; z is an estimate
-  double profile_height = 0.10;    ///< clearance above the higher of start and target [m]
+  double profile_height = 0.0;     ///< clearance above the higher of start and target [m]
 };
 
 /// The input of a pose adaptation.

@@ -11,9 +11,6 @@ namespace {
 // A plan that ends faster than this expects another one to follow [m/s], [rad/s].
 constexpr double kMoving = 1e-6;
 
-// Share of the joints' speed that a rising foot may use; the base moves too.
-constexpr double kRiseShare = 0.75;
-
 // Drives are not just late: a foot at full speed may be beside the line of (lag 1) by this share of
 // the way that it makes within their lag.
 constexpr double kUnknownLag = 0.25;
@@ -21,27 +18,29 @@ constexpr double kUnknownLag = 0.25;
 // The loads are evened out at no more than this over the lag of the drives: well damped.
 constexpr double kMostLag = 0.25;
 
-// Upward speed of the foot at the workspace centre, within kRiseShare of the joints' speeds [m/s].
-double rise_speed(const LegModel& leg) {
-  constexpr double kStep = 1e-3;
-  const LegSolution low = inverse_kinematics(leg, leg.p_BC);
-  const LegSolution high = inverse_kinematics(leg, leg.p_BC + kStep * Vector3::UnitZ(), low.q);
-  double longest = 0.0;  // [s]
-  for (int k = 0; k < leg.num_joints(); ++k)
-    longest = std::max(longest, std::abs(high.q[k] - low.q[k]) / leg.limits[k].velocity);
-  return longest > 0.0 ? kRiseShare * kStep / longest : std::numeric_limits<double>::infinity();
-}
-
 }  // namespace
+
+ExecutorParams completed(ExecutorParams params, const RobotModel& model) {
+  RobotParams all;
+  all.swing = params.swing;
+  all.base = params.base;
+  all.spring = {params.virtual_model.frequency, params.virtual_model.turn_frequency};
+  all = hexagait::completed(all, model);
+  params.swing = all.swing;
+  params.base = all.base;
+  params.virtual_model.frequency = all.spring.frequency;
+  params.virtual_model.turn_frequency = all.spring.turn_frequency;
+  return params;
+}
 
 Executor::Executor(const RobotModel& model, const ExecutorParams& params)
     : model_(&model),
-      params_(params),
+      params_(completed(params, model)),
       legs_(model.num_legs()),
       trig_(model.num_legs()),
       last_change_(model.num_legs(), LegJoints::Zero()),
       reachable_(model.num_legs(), true),
-      lag_(model.num_legs()),
+      lag_(model.num_legs(), params_.swing.lag_speed),
       off_(model.num_legs(), Vector3::Zero()),
       plans_(model.num_legs()),
       planned_effort_(model.num_legs(), LegJoints::Zero()) {
@@ -59,7 +58,6 @@ void Executor::reset(const RobotState& state, RestsOn rests_on) {
       legs_[i].load = 0.0;
     }
     legs_[i].p_BF = state.p_BF[i];
-    legs_[i].max_rise = rise_speed(model_->legs[i]);
     lag_.restart(i, state.p_BF[i]);
     trig_[i] = state.trig[i];
   }

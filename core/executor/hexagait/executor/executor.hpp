@@ -6,18 +6,23 @@
 #include <hexagait/executor/base_lane.hpp>
 #include <hexagait/executor/lag_watch.hpp>
 #include <hexagait/executor/leg_lane.hpp>
+#include <hexagait/params/params_for.hpp>
 #include <hexagait/plant/plant.hpp>
 #include <hexagait/plant/robot_state.hpp>
 
 namespace hexagait {
 
+/// What is kDerived follows from the robot's model.
 struct ExecutorParams {
   SwingParams swing;
   BaseParams base;
-  double gravity = 9.81;  ///< [m/s²]; 0 turns the load feed-forward off
+  double gravity = kStandardGravity;  ///< [m/s²]; 0 turns the load feed-forward off
   WholeBodyController controller = WholeBodyController::kinematic;
   VirtualModelParams virtual_model;
 };
+
+/// Sets what is kDerived to what follows from the robot's model.
+[[nodiscard]] ExecutorParams completed(ExecutorParams params, const RobotModel& model);
 
 /// The Free Gait executor ([FG16] II): one lane per leg and one for the base, which move
 /// independently of each other. The gait generator streams commands into it; a Sequencer adds steps

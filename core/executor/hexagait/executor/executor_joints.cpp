@@ -7,9 +7,6 @@
 namespace hexagait {
 namespace {
 
-// Time in which a planned effort may rise from 0 to the joint's limit [s].
-constexpr double kEffortRamp = 0.1;
-
 // A set point in the air that is out of reach goes no farther than the foot can; else it would run
 // away from it, and take as long to come back.
 void take_back(LegLane& lane, const Vector3& p_BF, const Pose& X_OB, double dt) {
@@ -126,7 +123,8 @@ void Executor::add_planned_efforts(LegId leg, LegJoints& effort, const RobotStat
   LegJoints& planned = planned_effort_[leg];
   if (is_zero(wish) && is_zero(planned)) return;
   for (int k = 0; k < model_->legs[leg].num_joints(); ++k) {
-    const double limit = model_->legs[leg].limits[k].effort, most = limit * dt / kEffortRamp;
+    const double limit = model_->legs[leg].limits[k].effort,
+                 most = limit * dt / params_.swing.effort_time;
     const double change = std::clamp(wish[k], -limit, limit) - planned[k];
     planned[k] += std::clamp(change, -most, most);
   }

@@ -13,9 +13,6 @@ constexpr double kLongest = 0.06;
 // The lag is that of the last so many leg-seconds of motion [s].
 constexpr double kMemory = 0.5;
 
-// Slower set points say nothing about the lag: there friction and load deflect the drive more [m/s].
-constexpr double kMoving = 0.3;
-
 double distance_to_segment(const Vector3& p, const Vector3& a, const Vector3& b) {
   const Vector3 way = b - a;
   const double length2 = way.squaredNorm();
@@ -26,10 +23,11 @@ double distance_to_segment(const Vector3& p, const Vector3& a, const Vector3& b)
 }  // namespace
 
 // Until drives have shown that they are faster they may be as slow as they like.
-LagWatch::LagWatch(int legs)
+LagWatch::LagWatch(int legs, double moving)
     : before_(legs, Vector3::Zero()),
       lagging_(legs, Vector3::Zero()),
       error_(legs, 0.0),
+      moving_(moving),
       lag_(kLongest) {}
 
 void LagWatch::watch(LegId leg, const Vector3& p, const Vector3& set_point, bool swings,
@@ -39,7 +37,7 @@ void LagWatch::watch(LegId leg, const Vector3& p, const Vector3& set_point, bool
   error_[leg] = swings ? distance_to_segment(p, lagging_[leg], set_point) : 0.0;
 
   const double v2 = v.squaredNorm();
-  if (!swings || v2 < kMoving * kMoving) return;
+  if (!swings || v2 < moving_ * moving_) return;
   const double lag = std::clamp((set_point - p).dot(v) / v2, 0.0, kLongest);
   lag_ += decay_share(dt / kMemory) * (lag - lag_);
 }

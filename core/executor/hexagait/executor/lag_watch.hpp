@@ -24,7 +24,8 @@ namespace hexagait {
 /// the line with it, so it is found at most τ̂ + error/v later than by a drive without lag.
 class LagWatch {
  public:
-  explicit LagWatch(int legs = 0);
+  /// @param moving  slower set points say nothing about the lag [m/s]
+  explicit LagWatch(int legs = 0, double moving = 0.0);
 
   /// Takes foot and set point, of the same instant, in the body frame [m].
   /// @param swings  the foot is in the air
@@ -45,6 +46,7 @@ class LagWatch {
   LegArray<Vector3> before_;   ///< set points of the last tick [m]
   LegArray<Vector3> lagging_;  ///< p_τ [m]
   LegArray<double> error_;     ///< [m]
+  double moving_;              ///< [m/s]
   double lag_;
 };
 

@@ -12,7 +12,7 @@ namespace {
 struct SwingingFoot {
   double lag;
   double dt;
-  LagWatch watch{1};
+  LagWatch watch{1, 0.3};
   Vector3 p = Vector3::Zero(), set_point = Vector3::Zero();
   double t = 0.0, worst = 0.0;
 

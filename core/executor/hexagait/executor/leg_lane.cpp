@@ -137,7 +137,7 @@ double rise_left(LegLane& lane, const LegSensed& sensed, double height) {
 // Minimum jerk over h in T has the peak speed 1.875 h/T.
 double rise_time(const LegLane& lane, const SwingParams& params) {
   return std::max(params.lift_time,
-                  kMinimumJerkPeak * (lane.apex_z - lane.p_OL.z()) / lane.max_rise);
+                  kMinimumJerkPeak * (lane.apex_z - lane.p_OL.z()) / params.max_rise);
 }
 
 void support(LegLane& lane, double dt, const Pose& X_OB, const SwingParams& params) {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <hexagait/executor/commands.hpp>
 #include <hexagait/executor/leg_plan.hpp>
-#include <limits>
+#include <hexagait/params/robot_params.hpp>
 
 namespace hexagait {
 
@@ -24,77 +24,17 @@ enum class LegPhase : std::uint8_t {
 
 [[nodiscard]] const char* to_string(LegPhase phase) noexcept;
 
-/// Parameters of the swing and of contact.
-struct SwingParams {
-  /// Time in which a leg hands its load over before lifting [s]. Shorter: the foot slides.
-  double unload_time = 0.04;
-  /// Time in which a landed leg takes its full load [s]. It counts as support when it has it, so
-  /// longer than confirm_time costs speed. Shorter: the load of the feet jumps.
-  double load_time = 0.02;
-  /// Rate at which the feet that stand even out their loads [1/s]. 0: a foot that stands too high
-  /// for the others carries little, and loses the ground. Higher: the body sways.
-  double even_load_rate = 20.0;
-  /// Time from leaving the ground to the apex [s]; longer where the joints' speed requires it.
-  double lift_time = 0.20;
-  /// Fraction of the profile height from which the foot moves sideways. Smaller: faster, but the
-  /// foot hits edges beside it more often.
-  double clearance_share = 0.4;
-  /// Duration of the sideways motion [s]; longer where max_speed requires it.
-  double transfer_time = 0.38;
-  /// Bound on the peak sideways speed of the foot [m/s].
-  double max_speed = 2.0;
-  /// The descent begins when this much of the sideways motion's time is left [s].
-  double overlap_time = 0.10;
-  double descent_speed = 0.30;         ///< well above the expected ground [m/s]
-  double touchdown_speed = 0.08;       ///< at the expected ground: bounds the impact [m/s]
-  double touchdown_margin = 0.006;     ///< range of that speed around the expected ground [m]
-  double search_speed = 0.15;          ///< below the expected ground [m/s]
-  double vertical_acceleration = 6.0;  ///< of the descent [m/s²]
-  /// Height above the expected ground below which the foot moves only vertically [m].
-  double commit_height = 0.03;
-  double retreat_back = 0.03;  ///< distance moved back after a collision [m]
-  double retreat_up = 0.05;    ///< rise after a collision [m]
-  /// Distance between the foot and where its drive, with its lag, would have it, that counts as a
-  /// collision: a shin against an edge stops the leg without a contact at its foot [m].
-  double blocked_error = 0.008;
-  double retreat_time = 0.15;  ///< [s]
-  /// Collisions in one step after which the foot goes back to where it stood, and stays down. Each
-  /// try costs half a second, in which its neighbours wait.
-  int max_retreats = 5;
-  /// Duration of contact before it is believed: before a foot on its way counts as blocked, and
-  /// before one that has landed takes load. A contact that ends sooner was none, and the step goes
-  /// on. Shorter: false contacts end steps. Longer: what blocks a foot is pushed for longer [s].
-  double touch_time = 0.01;
-  /// Duration of contact after which a landed foot counts as support; until then its neighbours
-  /// stay down. Shorter: feet that bounce or scrape along an edge are trusted, and the body drops
-  /// when the neighbours lift [s].
-  double confirm_time = 0.02;
-  /// Time without contact after which a support leg counts as off the ground [s].
-  double lost_time = 0.03;
-  /// Time without contact after which a support leg moves down to regain it [s].
-  double regain_time = 0.06;
-  /// true (walking): a foot that collides retreats, and one that finds no ground tries a closer
-  /// place. false (scripts): the foot searches along the surface normal, and the sequencer decides.
-  bool reflexes = true;
-  double search_time = 1.5;  ///< without reflexes: longest search [s]
-  /// Rate at which a foot returns to the curve of its plan [1/s]. Larger: more of odometry's noise
-  /// reaches the joints.
-  double follow_rate = 10.0;
-};
-
 /// One leg's lane of the executor: its phase and its set point. A value.
 struct LegLane {
   LegPhase phase = LegPhase::support;
-  double time = 0.0;               ///< in this phase [s]
-  double load = 1.0;               ///< fraction of its load that it carries, 0 … 1
-  double without_contact = 0.0;    ///< time since contact was lost [s]
-  double with_contact = 0.0;       ///< duration of the present contact [s]
-  bool touching = true;            ///< there was contact at the last tick
-  bool believed = true;            ///< since the foot landed, contact has lasted for touch_time
-  bool confirmed = true;           ///< contact has lasted for confirm_time
-  Vector3 p_BF = Vector3::Zero();  ///< set point of the foot, body frame [m]
-  /// Bound of its upward speed, by the speed of the joints [m/s].
-  double max_rise = std::numeric_limits<double>::infinity();
+  double time = 0.0;                 ///< in this phase [s]
+  double load = 1.0;                 ///< fraction of its load that it carries, 0 … 1
+  double without_contact = 0.0;      ///< time since contact was lost [s]
+  double with_contact = 0.0;         ///< duration of the present contact [s]
+  bool touching = true;              ///< there was contact at the last tick
+  bool believed = true;              ///< since the foot landed, contact has lasted for touch_time
+  bool confirmed = true;             ///< contact has lasted for confirm_time
+  Vector3 p_BF = Vector3::Zero();    ///< set point of the foot, body frame [m]
   Vector3 v_O = Vector3::Zero();     ///< its velocity over the ground, axes of odom [m/s]
   Vector3 a_O = Vector3::Zero();     ///< its acceleration over the ground, axes of odom [m/s²]
   FootstepCommand step;              ///< the command being executed

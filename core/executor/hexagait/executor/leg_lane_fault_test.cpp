@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <hexagait/executor/leg_lane.hpp>
+#include <testing/round_params.hpp>
 
 /// What robots do to a step: contacts that lie, walls without end, ticks without a measurement.
 
@@ -13,7 +14,7 @@ namespace {
 /// A step over the plane z = 0 under a body at rest.
 struct Step {
   double dt = 0.002;
-  SwingParams params;
+  SwingParams params = testing::round_params().swing;
   LegLane lane;
   Vector3 measured = Vector3::Zero();
   bool lies = false;  ///< the contact says what is not
@@ -132,7 +133,7 @@ TEST(Retreat, HasAnEnd) {
 // An apex out of reach is lowered to where the leg ends; it is not pushed up with every try.
 TEST(Retreat, LowersAnApexThatTheLegCannotReach) {
   Step step;
-  step.lane.max_rise = 1.2;
+  step.params.max_rise = 1.2;
   command(step.lane, {0, {0.3, 0.0, 0.0}, 0.5}, {});
   bool reachable = true;
   while (!step.ended() && step.t < 5.0) {
@@ -153,7 +154,7 @@ TEST(Retreat, LowersAnApexThatTheLegCannotReach) {
 TEST(Lift, TakesLongerWhereTheJointsAreTooSlow) {
   for (const double height : {0.05, 0.1, 0.2, 0.3}) {
     Step step;
-    step.lane.max_rise = 1.2;
+    step.params.max_rise = 1.2;
     command(step.lane, {0, {0.3, 0.0, 0.0}, height}, {});
     double fastest = 0.0;
     while (!step.ended() && step.t < 5.0) {

@@ -4,6 +4,7 @@
 
 #include <hexagait/executor/leg_lane.hpp>
 #include <hexagait/sim/random.hpp>
+#include <testing/round_params.hpp>
 
 /// A step is the same step at every control period from 1 to 20 ms.
 
@@ -17,7 +18,7 @@ constexpr double kGround = 0.0;
 /// plant does: it is known one period after the foot was there.
 struct Step {
   double dt;
-  SwingParams params;
+  SwingParams params = testing::round_params().swing;
   LegLane lane;
   Vector3 target;
   double t = 0.0;
@@ -125,7 +126,7 @@ TEST(SwingPeriod, ConvergesWithoutOvershootWhateverHappensOnTheWay) {
 // Two samples that are confirm_time apart, with contact in all between: never one alone.
 TEST(SwingPeriod, NeedsMoreThanOneInstantToConfirmAFoothold) {
   for (const double dt : kPeriods) {
-    SwingParams params;
+    SwingParams params = testing::round_params().swing;
     LegLane lane;
     lane.confirmed = false;
     int ticks = 0;
@@ -146,7 +147,7 @@ TEST(SwingPeriod, SearchesAtTheSameSpeed) {
     lane.phase = LegPhase::search;
     lane.cleared = true;
     lane.v_O = {0.2, 0.0, 0.1};
-    SwingParams params;
+    SwingParams params = testing::round_params().swing;
     params.reflexes = false;
     double t = 0.0;
     while (lane.phase == LegPhase::search && t < 2.0) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <hexagait/executor/leg_lane.hpp>
 #include <hexagait/sim/random.hpp>
+#include <testing/round_params.hpp>
 
 namespace hexagait {
 namespace {
@@ -15,7 +16,7 @@ const Pose kBody{rotation_z(0.7), {1.0, -2.0, 0.3}};  // at rest in odom
 /// A lane under a body at rest. The foot goes where it is told; whether it touches something there
 /// is up to the test: at first the ground z = 0.
 struct Swing {
-  SwingParams params;
+  SwingParams params = testing::round_params().swing;
   LegLane lane;
   std::function<bool(const Vector3&)> touches = [](const Vector3& p_OF) { return p_OF.z() <= 0.0; };
   bool reachable = true;

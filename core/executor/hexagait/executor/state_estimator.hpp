@@ -18,9 +18,9 @@ struct SensorMask {
 /// must outlive the estimator.
 class StateEstimator {
  public:
-  StateEstimator(const RobotModel& model, SensorMask sensors)
-      : model_(&model), sensors_(sensors), odometry_(model) {}
-  StateEstimator(const RobotModel&&, SensorMask) = delete;
+  StateEstimator(const RobotModel& model, SensorMask sensors, const ToleranceParams& tolerance = {})
+      : model_(&model), sensors_(sensors), odometry_(model, tolerance) {}
+  StateEstimator(const RobotModel&&, SensorMask, const ToleranceParams& = {}) = delete;
 
   /// The state from which a controller starts.
   /// @throws InvalidInput  if a joint position is missing or not finite

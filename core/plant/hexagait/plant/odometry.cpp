@@ -4,25 +4,18 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
+#include <hexagait/params/params_for.hpp>
 #include <hexagait/plant/odometry.hpp>
 #include <limits>
 
 namespace hexagait {
 namespace {
 
-// Keeps the rotation defined when fewer than three feet stand; negligible with three [m²].
-constexpr double kRegularisation = 1e-6;
-
-// The change of distances at which the weight of a foot is halved, ε₀ of (odometry 3) [m].
-constexpr double kSlideTolerance = 0.001;
-
-// Feet that are within this of a line are in a row [m].
-constexpr double kInARow = 1e-3;
-
 // One Gauss-Newton step of (odometry 1) from X: accurate to second order in the motion of one tick;
 // the next tick corrects the remainder.
+// `least2` keeps the rotation defined when fewer than three feet stand; negligible with three [m²].
 Pose registered(const Pose& X, const LegArray<Vector3>& p_BF, const LegArray<Vector3>& anchor_O,
-                const LegArray<double>& load) {
+                const LegArray<double>& load, double least2) {
   double weight = 0.0;
   Vector3 centroid = Vector3::Zero(), residual = Vector3::Zero();
   LegArray<Vector3> p_OF(p_BF.size());
@@ -46,7 +39,7 @@ Pose registered(const Pose& X, const LegArray<Vector3>& p_BF, const LegArray<Vec
     products += Vector3(loaded.y() * arm.z(), loaded.z() * arm.x(), loaded.x() * arm.y());
     moment += loaded.cross(anchor_O[i] - p_OF[i]);
   }
-  const double sum = squares.sum() + kRegularisation;
+  const double sum = squares.sum() + least2;
   Matrix3 inertia;
   inertia << sum - squares.x(), -products.z(), -products.y(),  //
       -products.z(), sum - squares.y(), -products.x(),         //
@@ -135,13 +128,13 @@ LegArray<double> without_sliding(const LegArray<double>& footing, const LegArray
 }
 
 // The least slope s with the least |Σ arm (arm · s − height)|: 0 across feet that stand in a row.
-Vector2 slope_of(const Eigen::Matrix2d& spread, const Vector2& rise) {
+Vector2 slope_of(const Eigen::Matrix2d& spread, const Vector2& rise, double in_a_row) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
   Vector2 slope = Vector2::Zero();
   for (int k = 0; k < 2; ++k) {
     const Vector2 axis = axes.eigenvectors().col(k);
     const double width2 = axes.eigenvalues()[k];
-    if (width2 > kInARow * kInARow) slope += axis * (axis.dot(rise) / width2);
+    if (width2 > in_a_row * in_a_row) slope += axis * (axis.dot(rise) / width2);
   }
   return slope;
 }
@@ -154,6 +147,12 @@ Twist twist_between(const Pose& X_OB, const Pose& Y_OB, double dt) {
 }
 
 }  // namespace
+
+Odometry::Odometry(const RobotModel& model, const ToleranceParams& tolerance) : model_(&model) {
+  RobotParams all;
+  all.tolerance = tolerance;
+  tolerance_ = completed(all, model).tolerance;
+}
 
 void Odometry::reset(RobotState& state, RestsOn rests_on) {
   const int n = model_->num_legs();
@@ -184,7 +183,7 @@ Pose Odometry::pose_over_feet(const RobotState& state) const {
     spread += arm.head<2>() * arm.head<2>().transpose();
     rise += arm.head<2>() * arm.z();
   }
-  const Vector2 slope = slope_of(spread, rise);
+  const Vector2 slope = slope_of(spread, rise, tolerance_.in_a_row);
   const Vector3 up_B = Vector3(-slope.x(), -slope.y(), 1.0).normalized();
 
   // z of odom is the normal of the plane, x the body's forward direction projected into it.
@@ -206,7 +205,8 @@ void Odometry::update(RobotState& state, const LegArray<double>& footing, double
   measure_noise(state, footing);
   const LegArray<double> trust =
       without_sliding(footing, state.p_BF, anchor_O_, slide_tolerance2());
-  const Pose X_OB = registered(X_OB_, state.p_BF, anchor_O_, trust);
+  const Pose X_OB =
+      registered(X_OB_, state.p_BF, anchor_O_, trust, tolerance_.in_a_row * tolerance_.in_a_row);
   state.V_B = twist_between(X_OB_, X_OB, dt);
   state.X_OB = X_OB_ = X_OB;
 
@@ -236,7 +236,7 @@ void Odometry::measure_noise(const RobotState& state, const LegArray<double>& fo
 
 // Two feet, each with a third of its variance along the line between them.
 double Odometry::slide_tolerance2() const noexcept {
-  return kSlideTolerance * kSlideTolerance + kNoiseFactor * kNoiseFactor * 2.0 / 3.0 * noise2_;
+  return tolerance_.slide * tolerance_.slide + kNoiseFactor * kNoiseFactor * 2.0 / 3.0 * noise2_;
 }
 
 // (odometry 2), over one tick.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <hexagait/params/robot_params.hpp>
 #include <hexagait/plant/robot_state.hpp>
 
 namespace hexagait {
@@ -30,8 +31,9 @@ namespace hexagait {
 /// The robot model must outlive the odometry.
 class Odometry {
  public:
-  explicit Odometry(const RobotModel& model) : model_(&model) {}
-  explicit Odometry(const RobotModel&&) = delete;
+  /// @param tolerance  what is kDerived follows from the model
+  explicit Odometry(const RobotModel& model, const ToleranceParams& tolerance = {});
+  explicit Odometry(const RobotModel&&, const ToleranceParams& = {}) = delete;
 
   /// Places the odom frame under the robot: z normal to the plane through the feet, z = 0 at their
   /// mean lowest point, x and yaw of the body. Feet in a row do not say how the ground slopes across
@@ -52,6 +54,7 @@ class Odometry {
   void roll(const RobotState& state, LegId leg, const Vector3& rotation_B) noexcept;
 
   const RobotModel* model_;
+  ToleranceParams tolerance_;
   LegArray<Vector3> anchor_O_;    ///< footholds [m]
   LegArray<LegJoints> q_before_;  ///< joints of the previous update [rad]
   LegArray<LegTrig> trig_before_;

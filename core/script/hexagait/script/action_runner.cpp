@@ -7,6 +7,17 @@
 namespace hexagait {
 namespace {
 
+RunnerParams completed(RunnerParams params, const RobotModel& model) {
+  RobotParams all;
+  all.tolerance = params.tolerance;
+  all.script = params.sequencer.planner.script;
+  all = hexagait::completed(all, model);
+  params.executor = hexagait::completed(params.executor, model);
+  params.tolerance = all.tolerance;
+  params.sequencer.planner.script = all.script;
+  return params;
+}
+
 RunnerParams checked_without_reflexes(RunnerParams params) {
   Violations violations("action runner");
   check_controller(violations, params.control_dt, params.late_limit, params.executor);
@@ -19,9 +30,9 @@ RunnerParams checked_without_reflexes(RunnerParams params) {
 
 ActionRunner::ActionRunner(const RobotModel& model, const RunnerParams& params)
     : model_(&model),
-      params_(checked_without_reflexes(params)),
-      estimator_(model, params.sensors),
-      sequencer_(model, params.sequencer),
+      params_(checked_without_reflexes(completed(params, model))),
+      estimator_(model, params_.sensors, params_.tolerance),
+      sequencer_(model, params_.sequencer),
       executor_(model, params_.executor) {
   watch_.stop(Fault::not_started);
   record_.fault = watch_.fault();
@@ -29,7 +40,7 @@ ActionRunner::ActionRunner(const RobotModel& model, const RunnerParams& params)
 }
 
 void ActionRunner::start(const Measurement& measurement, RestsOn rests_on) {
-  StateEstimator estimator(*model_, params_.sensors);
+  StateEstimator estimator(*model_, params_.sensors, params_.tolerance);
   // May throw, so before anything changes.
   const RobotState state = estimator.start(measurement, rests_on);
   sequencer_.reset();

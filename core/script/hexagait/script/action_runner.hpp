@@ -8,11 +8,13 @@
 
 namespace hexagait {
 
+/// What is kDerived follows from the robot's model.
 struct RunnerParams {
   double control_dt = 0.002;  ///< control period [s], 1 to 20 ms
   SensorMask sensors;
   SequencerParams sequencer;
   ExecutorParams executor;
+  ToleranceParams tolerance;
   double late_limit = 0.1;  ///< longest time without a measurement before it stops [s]
 };
 

@@ -49,10 +49,10 @@ class FootPlanner {
     swing.profile = step.profile;
     swing.profile_height = step.profile_height;
     swing.normal = X_OP_.R.transpose() * plan_.normal_O;
-    swing.touchdown_speed = params_.touchdown_speed;
+    swing.touchdown_speed = params_.script.touchdown_speed;
     const double shortest = step.duration.value_or(
-        swing_duration(from_.p, swing, step.average_velocity, params_.min_footstep_duration));
-    if (stands_) from_.v = params_.lift_off_speed * swing.normal;
+        swing_duration(from_.p, swing, step.average_velocity, params_.script.footstep_time));
+    if (stands_) from_.v = params_.script.lift_off_speed * swing.normal;
     plan_.duration = std::max(duration, shortest);
     plan_.foot.plan_swing(from_, swing, plan_.duration);
   }
@@ -63,7 +63,7 @@ class FootPlanner {
     to.v = placement_.X_PA.R * target.velocity;
     to.a = placement_.X_PA.R * target.acceleration;
     const double shortest =
-        std::max((to.p - from_.p).norm() / target.average_velocity, params_.min_target_duration);
+        std::max((to.p - from_.p).norm() / target.average_velocity, params_.script.target_time);
     plan_.duration = std::max(duration, shortest);
     plan_.foot.plan_target(from_, to, plan_.duration);
     plan_.force_O = X_OP_.R * (placement_.X_PA.R * target.force);
@@ -117,9 +117,9 @@ ControlMode mode_of(const JointKnot& knot) {
 void plan_joint_target(LegPlan& plan, const action::JointTarget& target, const StepStart& start,
                        const PlannerParams& params, double duration) {
   const JointState from = start_of_joints(target.leg, start);
-  JointKnot knot = completed(target.target, from, std::max(duration, params.min_target_duration));
-  knot.time = std::max(duration, joint_duration(from.q, knot.q, target.average_velocity,
-                                                params.min_target_duration));
+  JointKnot knot = completed(target.target, from, std::max(duration, params.script.target_time));
+  knot.time = std::max(
+      duration, joint_duration(from.q, knot.q, target.average_velocity, params.script.target_time));
   plan.kind = LegPlan::Kind::joints;
   plan.mode = mode_of(target.target);
   plan.duration = knot.time;

@@ -14,12 +14,7 @@ using StanceStrategy = StancePose (*)(const RobotModel&, const StanceProblem&);
 
 struct PlannerParams {
   StanceStrategy stance = optimise_stance;
-  double lift_off_speed = 0.1;            ///< of a footstep, along the normal [m/s]
-  double touchdown_speed = 0.2;           ///< of a footstep, against the normal [m/s]
-  double min_footstep_duration = 0.45;    ///< [s]
-  double min_target_duration = 0.05;      ///< of a foot's or joints' target [s]
-  double min_base_auto_duration = 0.1;    ///< [s]
-  double min_base_target_duration = 0.7;  ///< [s]
+  ScriptParams script;  ///< what is kDerived follows from the robot's model
   /// Steps that would reduce the stability margin below this are refused [m].
   double min_margin = 0.0;
   /// Do steps fail that are unstable or out of reach? A preview executes them all the same, to find

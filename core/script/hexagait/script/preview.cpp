@@ -34,7 +34,7 @@ class Examiner {
            Preview& preview)
       : model_(model),
         action_(action),
-        params_(params),
+        narrow_margin_(completed(params.runner.sequencer.planner, model).script.narrow_margin),
         preview_(preview),
         farthest_(model.num_legs()) {
     preview_.least_margin = std::numeric_limits<double>::infinity();
@@ -125,10 +125,10 @@ class Examiner {
       note(Finding::Kind::unstable, -1,
            "the centre of mass is up to " + millimetres(-margin_) +
                " outside the support polygon; it must be inside");
-    else if (margin_ < params_.narrow_margin)
+    else if (margin_ < narrow_margin_)
       note(Finding::Kind::narrow, -1,
            "the stability margin falls to " + millimetres(margin_) + "; it should be at least " +
-               millimetres(params_.narrow_margin),
+               millimetres(narrow_margin_),
            false);
   }
 
@@ -145,7 +145,7 @@ class Examiner {
 
   const RobotModel& model_;
   const action::Action& action_;
-  const PreviewParams& params_;
+  double narrow_margin_;  ///< [m]
   Preview& preview_;
   int step_ = 0;
   LegSet beyond_, fast_;  ///< legs already reported in this step

@@ -12,7 +12,7 @@ struct Finding {
   enum class Kind : std::uint8_t {
     out_of_reach,  ///< a foot's target is out of its leg's reach, or a joint's beyond its limit
     unstable,      ///< the centre of mass leaves the support polygon
-    narrow,        ///< the stability margin is less than PreviewParams::narrow_margin
+    narrow,        ///< the stability margin is less than ScriptParams::narrow_margin
     too_fast,      ///< a joint would have to exceed its velocity limit
     not_finite,    ///< a number is none, or so large that the motion is not finite
     no_result,     ///< the action does not end within PreviewParams::most_seconds
@@ -27,7 +27,6 @@ struct Finding {
 struct PreviewParams {
   RunnerParams runner;
   RestsOn rests_on = RestsOn::feet;  ///< when the action starts
-  double narrow_margin = 0.01;       ///< [m]
   double most_seconds = 3600.0;
 };
 

@@ -210,9 +210,10 @@ class Play {
     if (record.feedback.status != ActionStatus::paused) (stops ? stop_ : time_) += robot_.dt();
     const RunnerParams& params = robot_.runner.params();
     const SwingParams& swing = params.executor.swing;
-    const double late = 1.03 * (record.feedback.duration + params.sequencer.regain_limit);
+    const double late =
+        1.03 * (record.feedback.duration + params.sequencer.planner.script.regain_limit);
     RC_ASSERT(time_ <= late + swing.unload_time + swing.search_time +
-                           4.0 * params.sequencer.pause_time + 0.1);
+                           4.0 * params.sequencer.planner.script.pause_time + 0.1);
     RC_ASSERT(stop_ <= 3.0 * swing.search_time + 0.1);
   }
 

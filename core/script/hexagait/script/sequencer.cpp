@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <hexagait/script/fill_in.hpp>
 #include <hexagait/script/sequencer.hpp>
 #include <utility>
 
@@ -31,8 +32,8 @@ bool at_rest(const BaseLane& base) {
 
 Sequencer::Sequencer(const RobotModel& model, const SequencerParams& params)
     : model_(&model),
-      params_(params),
-      planner_(model, params.planner),
+      params_{completed(params.planner, model)},
+      planner_(model, params_.planner),
       beyond_(model.num_legs(), 0.0) {}
 
 void Sequencer::reset() {
@@ -42,6 +43,7 @@ void Sequencer::reset() {
 }
 
 void Sequencer::submit(action::Action action, Preemption preemption, Executor& executor) {
+  fill_in(action.steps, params_.planner.script);
   planner_.reserve(action, executor);
   next_action_ = std::move(action);
   waiting_ = true;
@@ -50,6 +52,7 @@ void Sequencer::submit(action::Action action, Preemption preemption, Executor& e
 
 void Sequencer::replace(std::vector<action::Step> steps, Executor& executor) {
   if (!active_) return;
+  fill_in(steps, params_.planner.script);
   action::Action rest{action_.id, action_.source, {}, std::move(steps)};
   planner_.reserve(rest, executor);
   action_.steps.resize(static_cast<std::size_t>(step_));
@@ -157,11 +160,11 @@ void Sequencer::watch(const Executor& executor, double dt) noexcept {
 
     const bool moves = lane.phase == LegPhase::follow || lane.on_ground();
     beyond_[i] = moves && !executor.reachable(i) ? beyond_[i] + dt : 0.0;
-    if (beyond_[i] > params_.reach_time && params_.planner.refuses)
+    if (beyond_[i] > params_.planner.script.reach_time && params_.planner.refuses)
       return fail(Cause::out_of_reach, i);
   }
   if (regaining_ || doubtful >= 0) regain_time_ += dt;
-  if (regain_time_ > params_.regain_limit) fail(Cause::lost_contact, doubtful);
+  if (regain_time_ > params_.planner.script.regain_limit) fail(Cause::lost_contact, doubtful);
 }
 
 bool Sequencer::step_done(const Executor& executor) const noexcept {
@@ -201,7 +204,7 @@ void Sequencer::set_rate(Executor& executor, double dt) noexcept {
 }
 
 void Sequencer::ramp_rate(Executor& executor, double dt, double wish) noexcept {
-  const double most = dt / params_.pause_time;
+  const double most = dt / params_.planner.script.pause_time;
   rate_ += std::clamp(wish - rate_, -most, most);
   executor.set_rate(rate_);
 }

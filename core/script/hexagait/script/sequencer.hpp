@@ -19,11 +19,6 @@ using CustomHandler = void (*)(const action::CustomCommand& command, void* conte
 
 struct SequencerParams {
   PlannerParams planner;
-  double pause_time = 0.2;  ///< time in which motions slow to a stop, and speed up again [s]
-  /// The action fails if the set point of a foot is out of reach for longer than this [s].
-  double reach_time = 0.2;
-  /// Longest total time of a step spent regaining contact [s]; also ends a contact that flickers.
-  double regain_limit = 5.0;
 };
 
 /// Executes the steps of scripted actions ([FG16] II-A): the motions of a step start together, and

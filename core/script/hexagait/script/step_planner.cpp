@@ -9,11 +9,8 @@
 namespace hexagait {
 namespace {
 
-// A base farther than this from its plan starts from its estimated pose instead [m], [rad].
-constexpr double kNearPlan = 0.03;
-
-// A height that the legs cannot reach to within this is not kept for the next BaseAuto [m].
-constexpr double kHeightLost = 0.05;
+// A base that is turned by more than this from its plan starts from its estimated pose instead [rad].
+constexpr double kNearTurn = 0.03;
 
 constexpr double kTimeTolerance = 1e-9;  // [s]
 
@@ -43,13 +40,13 @@ LegSet ignored_by(const action::Step& step) {
 LegId first_of(LegSet legs) { return legs.empty() ? -1 : std::countr_zero(legs.bits()); }
 
 // Start of a base motion: the end of the last plan, unless something has moved the base away.
-BaseState start_of_base(const StepStart& start) {
+BaseState start_of_base(const StepStart& start, double near_plan) {
   BaseState from{start.state.X_OB, start.executor.base().twist()};
   if (!start.executor.base_follows()) return from;
   const BaseState& planned = start.executor.base_planned();
   const Pose& X_OD = planned.X_AB;
-  const bool near = (X_OD.p - from.X_AB.p).norm() < kNearPlan &&
-                    rotation_vector(X_OD.R.transpose() * from.X_AB.R).norm() < kNearPlan;
+  const bool near = (X_OD.p - from.X_AB.p).norm() < near_plan &&
+                    rotation_vector(X_OD.R.transpose() * from.X_AB.R).norm() < kNearTurn;
   return near ? planned : from;
 }
 
@@ -83,7 +80,15 @@ Vector3 passing(const Vector3& before, const Vector3& after) {
 
 }  // namespace
 
-StepPlanner::StepPlanner(const RobotModel& model, const PlannerParams& params) : params_(params) {
+PlannerParams completed(PlannerParams params, const RobotModel& model) {
+  RobotParams all;
+  all.script = params.script;
+  params.script = completed(all, model).script;
+  return params;
+}
+
+StepPlanner::StepPlanner(const RobotModel& model, const PlannerParams& params)
+    : params_(completed(params, model)) {
   plan_.legs = LegArray<LegPlan>(model.num_legs());
 }
 
@@ -201,7 +206,7 @@ void StepPlanner::refuse_to_tip(const action::Step& step, const StepStart& start
 
 void StepPlanner::plan_base(const action::Step& step, const action::Step* next,
                             const StepStart& start) noexcept {
-  const BaseState from = start_of_base(start);
+  const BaseState from = start_of_base(start, params_.script.near_plan);
   bool ignores_legs = false;
   if (const auto* t = std::get_if<action::BaseTrajectory>(&step.base->motion)) {
     const Pose X_OA = start.step_frames.in_odom(t->frame, start.frames, start.state);
@@ -238,13 +243,13 @@ StepPlanner::BaseGoalPose StepPlanner::base_goal(const action::Step& step, const
   if (const auto* target = std::get_if<action::BaseTarget>(&step.base->motion)) {
     goal.X_OB = start.step_frames.in_odom(target->frame, start.frames, start.state) * target->X_AB;
     goal.ignores_legs = target->ignore_timing_of_leg_motion;
-    goal.duration = duration_of(*target, from, goal.X_OB, params_.min_base_target_duration);
+    goal.duration = duration_of(*target, from, goal.X_OB, params_.script.base_target_time);
     return goal;
   }
   const auto& automatic = *std::get_if<action::BaseAuto>(&step.base->motion);
   goal.X_OB = best_stance(automatic, step, next, start);
   goal.ignores_legs = automatic.ignore_timing_of_leg_motion;
-  goal.duration = duration_of(automatic, from, goal.X_OB, params_.min_base_auto_duration);
+  goal.duration = duration_of(automatic, from, goal.X_OB, params_.script.base_auto_time);
   return goal;
 }
 
@@ -276,7 +281,7 @@ Pose StepPlanner::best_stance(const action::BaseAuto& command, const action::Ste
       stance_problem(command, lifted_from(step, next), ignored_by(step), start);
   plan_.stance = params_.stance(start.model, problem);
   const double height = plan_.stance.X_OB.p.z() - mean_height(problem);
-  const bool too_high = problem.height > height + kHeightLost;
+  const bool too_high = problem.height > height + params_.script.height_lost;
   if (plan_.stance.reachable() && std::isfinite(problem.height))
     height_ = too_high ? height : problem.height;
   if (!plan_.stance.reachable() && plan_.cause == Cause::none) {
@@ -326,7 +331,7 @@ BaseKnot StepPlanner::first_goal(const action::Step& step, const action::Step& b
   }
   if (const auto* target = std::get_if<action::BaseTarget>(&step.base->motion)) {
     const Pose X_OB = in_odom(target->frame) * target->X_AB;
-    return {duration_of(*target, from.X_AB, X_OB, params_.min_base_target_duration), X_OB};
+    return {duration_of(*target, from.X_AB, X_OB, params_.script.base_target_time), X_OB};
   }
   const auto& automatic = *std::get_if<action::BaseAuto>(&step.base->motion);
   StanceProblem problem = stance_problem(automatic, lifted_by(step), ignored_by(step), start);
@@ -335,7 +340,7 @@ BaseKnot StepPlanner::first_goal(const action::Step& step, const action::Step& b
   const bool stays = now && is_same(problem, stance_problem(*now, lifted_from(before, &step),
                                                             ignored_by(before), start));
   const Pose X_OB = stays ? from.X_AB : params_.stance(start.model, problem).X_OB;
-  return {duration_of(automatic, from.X_AB, X_OB, params_.min_base_auto_duration), X_OB};
+  return {duration_of(automatic, from.X_AB, X_OB, params_.script.base_auto_time), X_OB};
 }
 
 }  // namespace hexagait

@@ -7,6 +7,9 @@
 
 namespace hexagait {
 
+/// Sets what is kDerived to what follows from the robot's model.
+[[nodiscard]] PlannerParams completed(PlannerParams params, const RobotModel& model);
+
 /// A step, resolved into plans.
 struct StepPlan {
   LegSet moving;     ///< legs with a motion

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <hexagait/script/fill_in.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <testing/action_words.hpp>
+#include <testing/round_params.hpp>
 #include <testing/scripted_robot.hpp>
 
 namespace hexagait {
@@ -39,15 +41,18 @@ struct Scene {
 
   explicit Scene(const char* name = "argos.urdf")
       : robot(load_urdf(std::string(HEXAGAIT_SOURCE_DIR "/robots/") + name)),
-        planner(robot.model, {.stance = stay}),
+        planner(robot.model, {.stance = stay, .script = testing::round_params().script}),
         executor(robot.runner.executor()) {
     planner.reserve({}, executor);
   }
   const StepPlan& plan(const action::Step& step, const action::Step* next = nullptr) {
     action::Action action;
     action.steps = {step};
+    if (next) action.steps.push_back(*next);
+    fill_in(action.steps, testing::round_params().script);
     planner.reserve(action, executor);
-    return planner.plan(step, next, {robot.model, executor, state(), frames, step_frames});
+    return planner.plan(action.steps[0], next ? &action.steps[1] : nullptr,
+                        {robot.model, executor, state(), frames, step_frames});
   }
   const RobotState& state() const { return robot.record().state; }
   Pose moved(double x, double yaw = 0.0) const {

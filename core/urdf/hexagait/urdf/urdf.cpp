@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/model/leg_weight.hpp>
+#include <hexagait/params/best_stance.hpp>
 #include <hexagait/text/text_file.hpp>
 #include <hexagait/urdf/detail/body_frame.hpp>
 #include <hexagait/urdf/detail/joint_limits.hpp>
@@ -265,7 +266,7 @@ RobotModel parse_urdf(const std::string& xml, const std::string& source,
   robot.inertia_M_B = nominal_inertia(robot);
   report_meshes(r);
   robot.substitutions = std::move(r.substitutions);
-  return robot;
+  return in_best_stance(robot);
 }
 
 }  // namespace hexagait

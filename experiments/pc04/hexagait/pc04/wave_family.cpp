@@ -56,13 +56,12 @@ double wrapped(double phase) { return phase - std::round(phase); }
 
 // Speed if each foot sweeps the whole stroke S: while m = n (1 − β) legs of n are in the air,
 // v = S m / ((n − m) T).
-double speed_by_law(const Segment& segment) {
-  const double stroke = footstep_gen::StepParams{}.stroke;
+double speed_by_law(const Segment& segment, double stroke) {
   const double beta = segment.duty_factor;
   return segment.step_time > 0.0 ? stroke * (1.0 - beta) / (beta * segment.step_time) : 0.0;
 }
 
-void measure(Segment& segment, const recording::Recording& recording) {
+void measure(Segment& segment, const recording::Recording& recording, double stroke) {
   constexpr LegId kRightRear = 5;
   std::vector<double> lifts;
   for (const recording::Recording::Step& step : recording.steps())
@@ -94,7 +93,7 @@ void measure(Segment& segment, const recording::Recording& recording) {
   }
   const Vector3 way = sample_at(recording, end).X_WB.p - sample_at(recording, begin).X_WB.p;
   segment.speed = way.head<2>().norm() / (end - begin);
-  segment.speed_by_law = speed_by_law(segment);
+  segment.speed_by_law = speed_by_law(segment, stroke);
 }
 
 // What each part was found to be; and the duty factor of every single step: from its lift to the
@@ -166,7 +165,8 @@ Outcome wave_family(const ExperimentContext& context, figures::StagedFiles& file
   simulation.trial.seconds = parts.back().to;
 
   const auto [recording, summary] = record(context, simulation);
-  for (Segment& segment : parts) measure(segment, recording);
+  const double stroke = params_for(*context.robot).step.stroke;
+  for (Segment& segment : parts) measure(segment, recording, stroke);
   draw(files, context, parts, recording);
   return {.walk = recording::WalkReport{context.robot->name, simulation, summary},
           .verdicts = judged_in_full_only(judge_wave_family(parts, summary), context.short_form)};

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <hexagait/sim3d/world.hpp>
+#include <hexagait/urdf/urdf.hpp>
+#include <hexagait/walk/trial.hpp>
+
+/// Every robot that comes with hexagait walks, from 0.2 to 100 kg, by what params_for() makes of its
+/// model: nothing is set.
+namespace hexagait::walk {
+namespace {
+
+using heading_control::Heading;
+using heading_control::Turn;
+
+class Robots : public ::testing::TestWithParam<const char*> {
+ protected:
+  [[nodiscard]] Summary walked(const Heading& heading, double seconds, double distance) const {
+    sim3d::World world(robot_, {}, {}, nominal_posture(robot_));
+    footstep_gen::Walker walker(robot_);
+    TrialOptions options;
+    options.schedule = {{0.0, heading, {}}};
+    options.seconds = seconds;
+    options.distance = distance;
+    return run_trial(walker, world, world.truth(), options);
+  }
+
+  const RobotModel robot_ =
+      load_urdf(std::string(HEXAGAIT_SOURCE_DIR "/robots/") + GetParam() + ".urdf");
+  const RobotScale scale_ = scale_of(robot_);
+  const double length_ = scale_.size;
+  /// A fifth of the speed at which robots walk straight on: 0.3 ℓ/T.
+  const double seconds_ = 5.0 * length_ / (0.06 * scale_.reach / scale_.time);
+};
+
+TEST_P(Robots, WalkFiveLengthsStraightOn) {
+  const Summary s = walked(Heading::straight(0.0), seconds_, 5.0 * length_);
+  EXPECT_TRUE(s.ok() && s.arrived) << in_words(s.hindrance, robot_);
+  EXPECT_LT(s.lateral_max, 0.02 * length_);
+  EXPECT_LT(s.heading_max, 0.05);
+  EXPECT_LT(s.real_contact_losses, 0.1 * s.steps);
+}
+
+TEST_P(Robots, WalkAnArc) {
+  const Summary s = walked(Heading::arc(2.0 * length_, 0.0), seconds_, 2.5 * length_);
+  EXPECT_TRUE(s.ok() && s.arrived) << in_words(s.hindrance, robot_);
+  EXPECT_LT(s.lateral_max, 0.02 * length_);
+}
+
+TEST_P(Robots, TurnInPlace) {
+  const Summary s = walked(Heading::spin(Turn::cw), 30.0 * scale_.time, 1e9);
+  EXPECT_TRUE(s.ok()) << in_words(s.hindrance, robot_);
+  EXPECT_LT(s.turned, -1.5);
+  EXPECT_LT(s.lateral_max, 0.02 * length_);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Robots,
+                         ::testing::Values("argos", "spider", "desktop", "mite", "octopod",
+                                           "hexapod_mammal", "titan", "beetle"),
+                         [](const auto& of) { return std::string(of.param); });
+
+}  // namespace
+}  // namespace hexagait::walk
