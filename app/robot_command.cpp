@@ -52,7 +52,9 @@ int robot_command(const RobotArguments& arguments) {
   const RobotModel model = load_robot(arguments.robot, arguments.overrides, true);
   std::optional<OutputFile> plot = output_file("--plot", arguments.plot, {".png", ".svg", ".pdf"});
   if (plot) figures::require_gnuplot();
-  print_out(arguments.json ? recording::to_json(model) + "\n" : in_words(model));
+  print_out(arguments.json
+                ? recording::to_json(model) + "\n"
+                : in_words(model) + params_in_words(model, given_params(arguments.robot, "", {})));
   if (plot) draw(*plot, model);
   return kOk;
 }

@@ -143,6 +143,7 @@ int walk_command(const WalkArguments& arguments) {
       report.summary = simulate(robot, walk, observe, &interrupted);
   }
   report.interrupted = interrupted;
+  if (report.summary.stuck) report.hindrance = in_words(report.summary.hindrance, robot);
   print_out(in_print(arguments, report, writer));
   writer.finish(report);
   if (report.interrupted) return kInterrupted;

@@ -128,6 +128,7 @@ std::string in_words(const WalkReport& report) {
         fmt::format("{} and {:.1f}° from the truth at the end", length(s.odometry_position),
                     std::abs(degrees(s.odometry_heading))));
   }
+  if (!report.hindrance.empty()) add(text, "stuck", report.hindrance);
   if (report.simulation.plant.name != "ideal") add(text, "plant", report.simulation.plant.name);
   add(text, "gait", gait_state::to_string(report.simulation.gait));
   add(text, "steps", fmt::format("{}; {}", s.steps, gait(s)));

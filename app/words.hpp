@@ -32,4 +32,8 @@ void add(std::string& text, const char* label, const std::string& value);
 /// What was recognised of a robot, for a person.
 [[nodiscard]] std::string in_words(const RobotModel& robot);
 
+/// The parameters of a robot, with unit and where each comes from.
+/// @param given  those that were set; the others are kDerived
+[[nodiscard]] std::string params_in_words(const RobotModel& robot, RobotParams given);
+
 }  // namespace hexagait::app

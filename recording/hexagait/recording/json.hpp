@@ -20,7 +20,8 @@ struct WalkReport {
   std::string robot;  ///< its name
   Simulation simulation;
   walk::Summary summary;
-  bool interrupted = false;  ///< stopped by the user
+  std::string hindrance = {};  ///< why it is stuck, in words; empty if it is not
+  bool interrupted = false;    ///< stopped by the user
   std::optional<SideView> side_view =
       {};  ///< of Genghis: its terrain, not the simulation's, counts
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <hexagait/sim3d/world.hpp>
 #include <hexagait/walk/faults.hpp>
 #include <span>
@@ -32,8 +33,10 @@ struct PlantNumber {
   double sim3d::WorldParams::*of_world;  ///< null if it is a fault's
   double walk::PlantFaults::*of_faults;  ///< null if it is the world's
 
+  /// 0 if it is kDerived: then it is the robot's.
   [[nodiscard]] double of(const PlantSetup& setup) const {
-    return of_world != nullptr ? setup.world.*of_world : setup.faults.*of_faults;
+    const double value = of_world != nullptr ? setup.world.*of_world : setup.faults.*of_faults;
+    return std::isnan(value) ? 0.0 : value;
   }
 };
 [[nodiscard]] const std::vector<PlantNumber>& plant_numbers();
