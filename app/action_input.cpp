@@ -13,6 +13,7 @@
 #include <hexagait/text/text_file.hpp>
 #include <hexagait/text/violations.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <hexagait/walk/action_for_robot.hpp>
 #include <hexagait/yaml/placeholders.hpp>
 #include <hexagait/yaml/yaml_tree.hpp>
 
@@ -58,7 +59,11 @@ action::Action load(const std::string& file, const RobotModel& robot,
   vocabulary.placeholders = placeholders(set);
   if (!is_step_goal(text)) {
     check_placeholders(text, file, vocabulary.placeholders);
-    return action::parse_action(text, file, robot, vocabulary);
+    const std::string name = action::written_for(text, file);
+    if (name.empty() || name == robot.name)
+      return action::parse_action(text, file, robot, vocabulary);
+    const RobotModel other = load_urdf(robot_file(name));
+    return walk::for_robot(action::parse_action(text, file, other, vocabulary), other, robot);
   }
   if (!set.empty())
     throw InvalidInput(

@@ -153,6 +153,7 @@ struct Action {
   std::string source;  ///< file from which it was read
   std::vector<Adaptation> adapt_coordinates;
   std::vector<Step> steps;
+  std::string robot = {};  ///< name of the robot that its numbers are for; empty: of any
 };
 
 /// The LegMotion of any command. Unlike std::visit it cannot throw, so ticks can use it.

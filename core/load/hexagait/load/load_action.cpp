@@ -48,6 +48,7 @@ Action read_action(YamlReader& yaml, const ActionWords& words, const std::string
   Action action{std::filesystem::path(source).stem().string(), source, {}, {}};
   const YamlFields fields = yaml.fields({"action", 0, {1, 1}}, kActionMap);
   if (const auto name = yaml.find(fields, "name")) action.id = yaml.text(*name).value_or(action.id);
+  if (const auto name = yaml.find(fields, "robot")) action.robot = yaml.text(*name).value_or("");
   if (const auto list = yaml.find(fields, "adapt_coordinates"))
     action.adapt_coordinates = read_adaptations(yaml, words, *list);
   if (!yaml.node(0).is_map()) return action;
@@ -67,6 +68,19 @@ Action parse_action(const std::string& text, const std::string& source, const Ro
   Action action = read_action(yaml, action_words(model, vocabulary), source);
   violations.throw_if_any();
   return action;
+}
+
+std::string written_for(const std::string& text, const std::string& source) {
+  Violations violations(source);
+  const YamlTree tree = parse_yaml(text, source, violations);
+  const YamlNode& root = tree.front();
+  for (std::size_t k = 0; root.is_map() && k + 1 < root.children.size(); k += 2) {
+    const auto node = [&](std::size_t i) -> const YamlNode& {
+      return tree[static_cast<std::size_t>(root.children[i])];
+    };
+    if (node(k).text == "robot" && node(k + 1).is_scalar()) return node(k + 1).text;
+  }
+  return "";
 }
 
 Action load_action(const std::string& path, const RobotModel& model,

@@ -47,4 +47,7 @@ inline constexpr std::size_t kMaxKnots = 100'000;
 [[nodiscard]] Action parse_action(const std::string& text, const std::string& source,
                                   const RobotModel& model, const ActionVocabulary& vocabulary = {});
 
+/// The robot that an action is written for, by its key `robot`; empty if it has none.
+[[nodiscard]] std::string written_for(const std::string& text, const std::string& source);
+
 }  // namespace hexagait::action

@@ -9,8 +9,8 @@ namespace hexagait::action {
 // Every key of action files. docs/actions.md has a table for each of these maps; a test holds the
 // two together.
 
-inline constexpr std::string_view kActionKeys[] = {"name", "placeholders", "adapt_coordinates",
-                                                   "steps"};
+inline constexpr std::string_view kActionKeys[] = {"name", "robot", "placeholders",
+                                                   "adapt_coordinates", "steps"};
 inline constexpr std::string_view kStepItemKeys[] = {"step", "repeat"};
 inline constexpr std::string_view kRepeatKeys[] = {"count", "steps"};
 inline constexpr std::string_view kAdaptationKeys[] = {"transform", "yaw_only"};
