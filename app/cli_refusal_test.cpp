@@ -34,6 +34,11 @@ TEST_F(Cli, RefusesNumbersOutOfRange) {
   for (const char* value : {"0", "-2", "nan", "far"})
     refuses(std::string("walk --distance ") + value, {"--distance", value, "metres"});
   refuses("walk --random-posture 3", {"--random-posture", "'3'", "workspaces"});
+  refuses("walk --set step.hight=4cm", {"--set", "step.hight", "step.height"});
+  refuses("walk --set step.height=-4cm", {"--set", "step.height", "greater than 0"});
+  refuses("walk --set step.height", {"--set", "NAME=VALUE"});
+  refuses("walk --params none.yaml", {"none.yaml"});
+  refuses("walk --speed fast", {"--speed", "'fast'"});
   refuses("walk --random-commands 0", {"--random-commands", "'0'"});
 }
 

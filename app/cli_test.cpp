@@ -144,6 +144,29 @@ TEST_F(Cli, SaysInASentenceHowItWent) {
                                 HasSubstr("off the commanded path")));
 }
 
+TEST_F(Cli, WalksWithParametersThatAreSetAndNoFasterThanAsked) {
+  const auto speed = [this](const std::string& options) {
+    return nlohmann::json::parse(run("walk --seconds 5 --json " + options).out)["speed_m_s"]
+        .get<double>();
+  };
+  const double usual = speed("");
+  EXPECT_LT(speed("--set step.stroke=10cm"), 0.7 * usual);
+  EXPECT_LT(speed("--speed 0.1"), 0.1);
+  EXPECT_GT(speed("--speed 0.1"), 0.07);
+  EXPECT_EQ(speed("--speed 10"), usual);
+}
+
+TEST_F(Cli, ListsTheParametersOfARobotAndWhereTheyComeFrom) {
+  EXPECT_THAT(run("robot argos").out, AllOf(HasSubstr("step.stroke"), HasSubstr("0.91 ℓ")));
+}
+
+TEST_F(Cli, RunsAnActionOnAnotherRobotOrSaysInALineWhyNot) {
+  EXPECT_EQ(run("run nod --robot spider --json").status, 0);
+  const Result octopod = run("run nod --robot octopod");
+  EXPECT_EQ(octopod.status, 2);
+  EXPECT_THAT(octopod.err, HasSubstr("nod is for robots of 6 legs, such as argos; octopod has 8"));
+}
+
 TEST_F(Cli, ArrivesAtTheDistanceAskedFor) {
   const auto json = nlohmann::json::parse(run("walk --distance 0.3 --json").out);
   EXPECT_EQ(json["arrived"], true);

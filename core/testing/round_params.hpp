@@ -104,4 +104,13 @@ inline RobotParams round_params() {
   return p;
 }
 
+/// The same of a simulated world.
+template <class WorldParams>
+WorldParams round_world() {
+  WorldParams params;
+  static_cast<PlantParams&>(params) = round_params().plant;
+  params.physics_dt = params.control_dt = 0.002;
+  return params;
+}
+
 }  // namespace hexagait::testing

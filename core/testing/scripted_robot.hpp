@@ -2,12 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <hexagait/script/action_runner.hpp>
 #include <hexagait/script/preview.hpp>
+#include <testing/round_params.hpp>
 
 /// For tests of scripted actions.
 namespace hexagait::testing {
+
+/// What is not set of the parameters, in round numbers.
+inline RunnerParams rounded(RunnerParams params) {
+  RobotParams all, round = round_params();
+  all.swing = params.executor.swing;
+  all.base = params.executor.base;
+  all.tolerance = params.tolerance;
+  all.script = params.sequencer.planner.script;
+  for (const Parameter& one : parameters())
+    if (std::isnan(one.in(all))) one.in(all) = one.in(round);
+  params.executor.swing = all.swing;
+  params.executor.base = all.base;
+  params.tolerance = all.tolerance;
+  params.sequencer.planner.script = all.script;
+  return params;
+}
 
 /// A robot without mass that does exactly what it is told, on ground that has a height at each
 /// place. A foot touches where it is at the ground or below it; one that stands feels the ground up
@@ -18,7 +36,9 @@ class ScriptedRobot {
   enum class Touch { as_the_ground_is, nothing, something };
 
   explicit ScriptedRobot(const RobotModel& robot, const RunnerParams& params = {})
-      : model(robot), runner(model, params), touch(robot.num_legs(), Touch::as_the_ground_is) {
+      : model(robot),
+        runner(model, rounded(params)),
+        touch(robot.num_legs(), Touch::as_the_ground_is) {
     measurement = {0.0, nominal_joints(model), LegArray<bool>(model.num_legs(), true)};
     runner.start(measurement);
   }

@@ -355,7 +355,7 @@ TEST(WalkerParams, ThatAreOutOfRangeAreNamed) {
 
   WalkerParams params;
   params.control_dt = 0.05;
-  params.step.stroke = kNan;
+  params.step.stroke = -0.1;
   params.executor.swing.transfer_time = 0.0;
   params.executor.base.acceleration = -1.0;
   params.late_limit = kNan;

@@ -9,6 +9,8 @@
 namespace hexagait::gait_state {
 namespace {
 
+constexpr GaitParams kParams{.tie_tolerance = 1e-3};
+
 constexpr int kLegs = 6;
 
 GaitInput standing() { return {LegArray<double>(kLegs, 0.0), LegSet(), LegSet()}; }
@@ -26,8 +28,8 @@ TEST(Decide, IsTheLatchAndThenTheStepper) {
     for (double& value : input.lag) value = lag(random);
     input.airborne = LegSet(static_cast<std::uint32_t>(random() % 64U));
     const double time = 0.1 * k;
-    const StepDecision decision = decide(memory, input, {.time = time}, {}, wave);
-    const GaitDecision gait = latch.update(input);
+    const StepDecision decision = decide(memory, input, {.time = time}, kParams, wave);
+    const GaitDecision gait = latch.update(input, kParams);
     ASSERT_EQ(decision.gait.may_step, gait.may_step);
     ASSERT_EQ(decision.lifts,
               stepper.update({.time = time, .airborne = input.airborne, .may_step = gait.may_step},
@@ -40,7 +42,7 @@ TEST(Decide, IsTheLatchAndThenTheStepper) {
 
 TEST(Decide, LiftsNobodyOfARobotThatIsToStand) {
   GaitMemory memory(kLegs, 1.0);
-  const StepDecision decision = decide(memory, standing(), {.walking = false}, {}, {});
+  const StepDecision decision = decide(memory, standing(), {.walking = false}, kParams, {});
   EXPECT_FALSE(decision.gait.may_step.empty());
   EXPECT_TRUE((decision.lifts | decision.waits).empty());
 }
@@ -52,7 +54,7 @@ TEST(Decide, LiftsNobodyBesideALegThatFeelsNothing) {
       const LegSet unsure(bits);
       GaitMemory memory(kLegs, 1.0);
       const StepDecision decision =
-          decide(memory, standing(), {.unsure = unsure}, {}, {.stepping = stepping});
+          decide(memory, standing(), {.unsure = unsure}, kParams, {.stepping = stepping});
       const LegSet tripod = first_tripod(kLegs);
       LegSet lifts = without(tripod, neighbours_of(unsure, kLegs));
       if (stepping == Stepping::tripod && !unsure.empty()) lifts = {};

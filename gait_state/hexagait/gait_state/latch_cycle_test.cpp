@@ -13,6 +13,7 @@ namespace hexagait::gait_state {
 namespace {
 
 constexpr double kTolerance = 1e-3;
+constexpr GaitParams kParams{.tie_tolerance = kTolerance};
 constexpr RingBits kStates = 64;
 
 bool is_cyclic(RingBits bits) { return bits == 0 || bits == kStates - 1; }
@@ -98,13 +99,13 @@ TEST(HeadingChange, WithAllFeetDownAlwaysLeavesSomebodyWhoMayStep) {
   int cyclic = 0;
   for (const GaitInput& old_heading : inputs) {
     GaitLatch start;
-    (void)start.update(old_heading);
+    (void)start.update(old_heading, kParams);
     for (const GaitInput& new_heading : inputs) {
       GaitLatch latch = start;
-      const GaitDecision decision = latch.update(new_heading);
+      const GaitDecision decision = latch.update(new_heading, kParams);
       ASSERT_FALSE(decision.may_step.empty());
       ASSERT_EQ(decision.state.ccn(), 3);
-      ASSERT_EQ(latch.update(new_heading).state, decision.state);
+      ASSERT_EQ(latch.update(new_heading, kParams).state, decision.state);
       cyclic += decision.was_cyclic ? 1 : 0;
     }
   }

@@ -115,8 +115,10 @@ TEST(Modes, LiteralLetsTheSameLegsStepAsNoneInEveryHistory) {
     GaitLatch literal, none;
     for (int i = 0; i < 200; ++i) {
       evolve(in, random);
-      ASSERT_EQ(literal.update(in, {.adjustment = Adjustment::literal}).may_step,
-                none.update(in, {.adjustment = Adjustment::none}).may_step);
+      ASSERT_EQ(
+          literal.update(in, {.tie_tolerance = kTolerance, .adjustment = Adjustment::literal})
+              .may_step,
+          none.update(in, {.tie_tolerance = kTolerance, .adjustment = Adjustment::none}).may_step);
     }
   }
 }

@@ -12,6 +12,7 @@ namespace hexagait::gait_state {
 namespace {
 
 constexpr double kTolerance = 1e-3;
+constexpr GaitParams kParams{.tie_tolerance = kTolerance};
 const LegSet kNone;
 
 LegSet legs(std::initializer_list<LegId> members) {
@@ -31,7 +32,9 @@ GaitInput input(const std::vector<double>& ring_lags, LegSet airborne = kNone,
   return result;
 }
 
-std::string raw(GaitLatch& latch, const GaitInput& in) { return to_string(latch.update(in).raw); }
+std::string raw(GaitLatch& latch, const GaitInput& in) {
+  return to_string(latch.update(in, kParams).raw);
+}
 std::string state(GaitLatch& latch, const GaitInput& in, Adjustment mode = Adjustment::latched) {
   return to_string(latch.update(in, {.tie_tolerance = kTolerance, .adjustment = mode}).state);
 }
@@ -47,7 +50,7 @@ TEST(RawRelation, GivesPriorityToTheLegThatLagsMore) {
 
 TEST(RawRelation, OfATieFavoursTheFirstTripod) {
   GaitLatch latch;
-  const GaitDecision all_equal = latch.update(input({7, 7, 7, 7, 7, 7}));
+  const GaitDecision all_equal = latch.update(input({7, 7, 7, 7, 7, 7}), kParams);
   EXPECT_EQ(all_equal.may_step, first_tripod(6));
   // Differences of up to the tolerance are ties, whichever way they point.
   EXPECT_EQ(to_string(fresh_relations(input({0, 0.9, 0, 0.9, 0, 0.9}), kTolerance)), "><><><");
@@ -97,13 +100,13 @@ TEST(RawRelation, IsKeptWhileBothLegsAreInTheAir) {
 // <<<<<> has CCN 5; the adjustment turns the relations of positions 0-1 and 1-2.
 TEST(Latch, KeepsAnAdjustedRelationWhileNothingHappensToItsLegs) {
   GaitLatch latch;
-  const GaitDecision first = latch.update(input(kStaircase));
+  const GaitDecision first = latch.update(input(kStaircase), kParams);
   EXPECT_EQ(to_string(first.raw), "<<<<<>");
   EXPECT_EQ(to_string(first.state), ">><<<>");
   EXPECT_EQ(first.ccn_before_adjustment, 5);
   EXPECT_EQ(first.may_step, legs({2}));
 
-  const GaitDecision second = latch.update(input({15, 25, 35, 45, 55, 65}));
+  const GaitDecision second = latch.update(input({15, 25, 35, 45, 55, 65}), kParams);
   EXPECT_EQ(second.state, first.state);
   EXPECT_EQ(second.ccn_before_adjustment, 3) << "nothing is left to adjust";
   EXPECT_EQ(to_string(second.raw), "<<<<<>");
@@ -119,7 +122,7 @@ TEST(Latch, ForgetsAnAdjustedRelationWhenALegOfItIsReordered) {
   // A slip reverses positions 0 and 1 and later puts them back. Their relation is raw again, the
   // one beside it is still the adjusted one, and another must give way: `> < <` at edges 1 2 3.
   EXPECT_EQ(raw(latch, input({10, 5, 30, 40, 50, 60})), "><<<<>");
-  const GaitDecision back = latch.update(input(kStaircase));
+  const GaitDecision back = latch.update(input(kStaircase), kParams);
   EXPECT_EQ(back.ccn_before_adjustment, 4);
   EXPECT_EQ(to_string(back.state), "<>><<>");
 }
@@ -129,7 +132,7 @@ TEST(Latch, GivesAnUrgentLegItsRawRelationsAtOnce) {
   EXPECT_EQ(state(latch, input(kStaircase)), ">><<<>");
   // Leg 3 (position 2) has its relation with leg 1 adjusted away; urgency brings it back, and
   // another relation must give way.
-  const GaitDecision urgent = latch.update(input(kStaircase, kNone, legs({3})));
+  const GaitDecision urgent = latch.update(input(kStaircase, kNone, legs({3})), kParams);
   EXPECT_EQ(urgent.ccn_before_adjustment, 4);
   EXPECT_EQ(urgent.state.ccn(), 3);
   EXPECT_EQ(urgent.may_step, legs({2})) << "it still waits for legs that lag even more";
@@ -138,8 +141,8 @@ TEST(Latch, GivesAnUrgentLegItsRawRelationsAtOnce) {
 TEST(Modes, WithoutTheLatchEveryUpdateAdjustsAnew) {
   GaitLatch literal, none;
   for (int i = 0; i < 3; ++i) {
-    const GaitDecision decision =
-        literal.update(input(kStaircase), {.adjustment = Adjustment::literal});
+    const GaitDecision decision = literal.update(
+        input(kStaircase), {.tie_tolerance = kTolerance, .adjustment = Adjustment::literal});
     EXPECT_EQ(decision.ccn_before_adjustment, 5) << "yesterday's adjustment is forgotten";
     EXPECT_EQ(to_string(decision.state), ">><<<>");
     EXPECT_EQ(state(none, input(kStaircase), Adjustment::none), "<<<<<>");
@@ -150,15 +153,15 @@ TEST(Latch, IsAValue) {
   static_assert(std::is_trivially_copyable_v<GaitLatch> && sizeof(GaitLatch) <= 20);
   static_assert(std::is_trivially_copyable_v<GaitDecision>);
   GaitLatch latch;
-  (void)latch.update(input(kStaircase, legs({2})));
+  (void)latch.update(input(kStaircase, legs({2})), kParams);
   GaitLatch copy = latch;
   const GaitInput next = input({30, 10, 20, 60, 50, 40}, legs({3}));
-  EXPECT_EQ(copy.update(next).state, latch.update(next).state);
+  EXPECT_EQ(copy.update(next, kParams).state, latch.update(next, kParams).state);
 }
 
 TEST(Latch, StartsAfreshForAnotherNumberOfLegs) {
   GaitLatch latch;
-  (void)latch.update(input(kStaircase));
+  (void)latch.update(input(kStaircase), kParams);
   EXPECT_EQ(state(latch, input({10, 20, 30, 40, 50, 60, 70, 80})), ">>><<<<>");
   EXPECT_EQ(state(latch, input({0, 0, 0, 0})), "><><");
 }

@@ -7,6 +7,7 @@
 #include <hexagait/sim3d/world.hpp>
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <testing/round_params.hpp>
 
 // Argos on a test stand, its legs straight out: what is not ideal about its drives and links.
 namespace hexagait::sim3d {
@@ -15,7 +16,7 @@ namespace {
 constexpr int kYaw = 0, kHip = 1;
 const LegArray<LegJoints> kZero(6, LegJoints::Zero());
 
-class Drive : public testing::Test {
+class Drive : public ::testing::Test {
  protected:
   Drive() {
     params_.base_on_stand = true;
@@ -51,7 +52,7 @@ class Drive : public testing::Test {
   }
 
   RobotModel robot_ = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  WorldParams params_;
+  WorldParams params_ = hexagait::testing::round_world<WorldParams>();
 };
 
 // 0.9 rad at 4000 N m/rad is far more than the drive has, 120 N m: it accelerates all it can, and
@@ -167,7 +168,7 @@ TEST_F(Drive, ImperfectionsOutOfRangeAreRefusedAtOnceWithUnitAndRange) {
          {"friction [1]: 11 must be finite and in [0, 10]", "drive_friction [N m]",
           "servo_lag [s]: -0.01 must be finite and in [0, 1]", "armature [kg m²]",
           "mass_error [1]: 1.9", "contact_threshold [N]"})
-      EXPECT_THAT(refusal.what(), testing::HasSubstr(part));
+      EXPECT_THAT(refusal.what(), ::testing::HasSubstr(part));
   }
 }
 

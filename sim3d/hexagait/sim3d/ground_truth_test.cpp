@@ -5,13 +5,14 @@
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/sim3d/world.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <testing/round_params.hpp>
 
 namespace hexagait::sim3d {
 namespace {
 
 const LegArray<LegJoints> kZero(6, LegJoints::Zero());
 
-class Referee : public testing::Test {
+class Referee : public ::testing::Test {
  protected:
   // Joint positions with every foot at its workspace centre, moved by `shift` [m].
   LegArray<LegJoints> stance(const Vector3& shift = Vector3::Zero()) const {
@@ -36,7 +37,7 @@ class Referee : public testing::Test {
   }
 
   RobotModel robot_ = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  WorldParams params_;
+  WorldParams params_ = hexagait::testing::round_world<WorldParams>();
 };
 
 // A leg of a robot on a stand presses its foot on the ground and turns about its yaw axis by ψ: the

@@ -6,6 +6,7 @@
 #include <hexagait/sim/random.hpp>
 #include <hexagait/sim3d/world.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <testing/round_params.hpp>
 
 // Argos on a test stand, its legs free in the air: closed forms of the joint servos.
 
@@ -14,7 +15,7 @@ namespace {
 
 const LegArray<LegJoints> kZero(6, LegJoints::Zero());
 
-class ServoOnStand : public testing::Test {
+class ServoOnStand : public ::testing::Test {
  protected:
   ServoOnStand() {
     params_.base_on_stand = true;
@@ -48,7 +49,7 @@ class ServoOnStand : public testing::Test {
   }
 
   RobotModel robot_ = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  WorldParams params_;
+  WorldParams params_ = hexagait::testing::round_world<WorldParams>();
 };
 
 // Legs held straight out: femur 1.2 kg at 0.14 m and tibia with foot 0.8 kg at 0.28 + 0.19475 m

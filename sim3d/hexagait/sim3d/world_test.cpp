@@ -11,6 +11,7 @@
 #include <hexagait/urdf/urdf.hpp>
 #include <limits>
 #include <numeric>
+#include <testing/round_params.hpp>
 #include <thread>
 
 namespace hexagait::sim3d {
@@ -56,7 +57,7 @@ int num_felt(World& world) {
 
 // ODE steps v before p, so after n steps the robot has fallen by g h² n (n + 1)/2.
 TEST(World, LetsTheRobotFallFreely) {
-  WorldParams params;
+  WorldParams params = hexagait::testing::round_world<WorldParams>();
   params.start_clearance = 2.0;
   World world(argos(), {}, params, stance());
   const double z0 = world.truth().X_WB.p.z();
@@ -71,7 +72,7 @@ TEST(World, LetsTheRobotFallFreely) {
 
 TEST(World, StartsWithTheLowestFootJustAboveTheGround) {
   for (const char* terrain : {"flat", "boxes:0.1", "steps:0.1"}) {
-    WorldParams params;
+    WorldParams params = hexagait::testing::round_world<WorldParams>();
     params.start = {2.0, {-40.0, 25.0}};
     World world(argos(), parse_terrain(terrain), params, stance());
     double lowest = 1.0;
@@ -101,7 +102,7 @@ TEST(World, HoldsAStandingRobotWithForcesThatAddUpToItsWeight) {
 // In a step, force F presses the foot in by h · cfm · F and the ground pushes out the fraction erp
 // of the depth d: at rest, d = h · cfm/erp · F.
 TEST(World, LetsAFootSinkByItsLoad) {
-  WorldParams params;
+  WorldParams params = hexagait::testing::round_world<WorldParams>();
   params.contact_cfm = 1e-4;
   World world(argos(), {}, params, stance());
   run(world, at(stance()), 2.0);
@@ -116,7 +117,7 @@ TEST(World, FeelsAFootFromTheThresholdOn) {
   run(reference, at(stance()), 1.0);
   const double load = reference.truth().feet[0].normal_force;
   for (const double factor : {0.99, 1.01}) {
-    WorldParams params;
+    WorldParams params = hexagait::testing::round_world<WorldParams>();
     params.contact_threshold = factor * load;
     World world(argos(), {}, params, stance());
     run(world, at(stance()), 1.0);
@@ -129,7 +130,7 @@ TEST(World, FeelsAFootFromTheThresholdOn) {
 // The sensor latches: over ten physics steps it has felt what it would have felt in any of them.
 // The robot drops, stands, and pulls all feet up, so that contact is made and lost within periods.
 TEST(World, LatchesContactOverTheControlPeriod) {
-  WorldParams slow;
+  WorldParams slow = hexagait::testing::round_world<WorldParams>();
   slow.control_dt = 0.02;
   slow.start_clearance = 0.01;
   WorldParams fast = slow;
@@ -158,7 +159,7 @@ TEST(World, LatchesContactOverTheControlPeriod) {
 }
 
 TEST(World, FeelsNoFootWhenTheRobotLiesOnItsBelly) {
-  WorldParams params;
+  WorldParams params = hexagait::testing::round_world<WorldParams>();
   params.start_clearance = 0.06;
   World world(argos(), {}, params, everywhere(LegJoints::Zero()));
   EXPECT_FALSE(world.truth().base_touches_ground);
@@ -171,7 +172,7 @@ TEST(World, FeelsNoFootWhenTheRobotLiesOnItsBelly) {
 TEST(World, HasGroundUnderTheRobotWhereverItIs) {
   for (const char* terrain : {"flat", "boxes:0.1", "steps:0.1"}) {
     for (const Vector2& place : {Vector2(100.0, -100.0), Vector2(-5000.0, 3000.0)}) {
-      WorldParams params;
+      WorldParams params = hexagait::testing::round_world<WorldParams>();
       params.start = {0.3, place};
       World world(argos(), parse_terrain(terrain), params, stance());
       run(world, at(stance()), 1.5);
@@ -202,7 +203,7 @@ bool same_bits(const LegArray<LegJoints>& a, const LegArray<LegJoints>& b) {
 }
 
 LegArray<LegJoints> q_after_marching(const char* terrain, double seconds) {
-  WorldParams params;
+  WorldParams params = hexagait::testing::round_world<WorldParams>();
   params.start.shift = {30.0, 0.0};
   World world(argos(), parse_terrain(terrain), params, stance());
   while (world.truth().time < seconds) world.write(marching(world.truth().time));
@@ -230,7 +231,7 @@ TEST(World, RepeatsItselfToTheLastBit) {
 }
 
 TEST(World, DoesNotDisturbAnotherInTheSameProcess) {
-  WorldParams params;
+  WorldParams params = hexagait::testing::round_world<WorldParams>();
   World one(argos(), parse_terrain("boxes:0.05"), params, stance());
   World two(argos(), parse_terrain("boxes:0.05"), params, stance());
   World other(argos(), parse_terrain("steps:0.1"), params, stance({0.01, 0.0, 0.0}));
@@ -290,7 +291,7 @@ Vector3 centre_of_mass(World& world) {
 // which each step is done twice.
 TEST(World, IsPushedByAForceForATime) {
   const Vector3 force(30.0, -20.0, 50.0);
-  WorldParams params;
+  WorldParams params = hexagait::testing::round_world<WorldParams>();
   params.gravity = 0.0;
   params.start_clearance = 5.0;
   for (const double kick : {0.0, 1.0}) {
@@ -311,7 +312,7 @@ TEST(World, IsPushedByAForceForATime) {
 }
 
 TEST(World, StandsOnABlockThatTheTerrainDoesNotKnow) {
-  WorldParams params;
+  WorldParams params = hexagait::testing::round_world<WorldParams>();
   params.blocks = {{{0.0, 0.0, 0.05}, {4.0, 4.0, 0.1}}};
   params.start_clearance = 0.101;
   World world(argos(), {}, params, stance());
@@ -322,7 +323,7 @@ TEST(World, StandsOnABlockThatTheTerrainDoesNotKnow) {
 
 // Under 10⁷ m/s² the robot is at 2 · 10⁴ m/s after one step, and ODE would soon abort.
 TEST(World, ClosesWhenThePhysicsBlowsUp) {
-  WorldParams params;
+  WorldParams params = hexagait::testing::round_world<WorldParams>();
   params.gravity = 1e7;
   World world(argos(), {}, params, stance());
   for (int k = 0; k < 10; ++k) world.write(at(stance()));
@@ -350,7 +351,7 @@ TEST(World, RefusesEverythingThatIsWrongAtOnce) {
   robot.legs[3].limits[0].effort = 0.0;
   LegArray<LegJoints> q = stance();
   q[4][2] = -1.0;
-  WorldParams params;
+  WorldParams params = hexagait::testing::round_world<WorldParams>();
   params.physics_dt = 0.003;
   params.control_dt = 0.005;
   params.friction = -1.0;
@@ -363,7 +364,7 @@ TEST(World, RefusesEverythingThatIsWrongAtOnce) {
   } catch (const InvalidInput& refusal) {
     for (const char* part : {"RF_femur", "LM: ", "RM_yaw", "LR_knee", "-1 rad", "control_dt",
                              "friction", "contact_erp", "start", "blocks"}) {
-      EXPECT_THAT(refusal.what(), testing::HasSubstr(part));
+      EXPECT_THAT(refusal.what(), ::testing::HasSubstr(part));
     }
   }
   EXPECT_THROW(World(argos(), {}, {}, LegArray<LegJoints>(4, LegJoints::Zero())), InvalidInput);

@@ -43,10 +43,10 @@ Theorem literal_reading(const Rules& rules, const Scope&) {
       "remember the same, so the next feet are the same, and so on by induction.";
   theorem.table.columns = {"raw", "sets_in_the_air", "rows_of_lags", "adjusted_in_vain"};
 
-  GaitParams literal, none;
-  literal.adjustment = Adjustment::literal;
-  none.adjustment = Adjustment::none;
-  const auto rows = rows_of_lags(none.tie_tolerance);
+  constexpr double kTolerance = 1e-3;  // the lags are multiples of it
+  const GaitParams literal{.tie_tolerance = kTolerance, .adjustment = Adjustment::literal};
+  const GaitParams none{.tie_tolerance = kTolerance, .adjustment = Adjustment::none};
+  const auto rows = rows_of_lags(kTolerance);
   std::int64_t sets = 0, in_vain = 0;
   for (std::uint32_t air = 0; air <= ring_mask(kLegs); ++air) {
     if (breaks_rule_1(LegSet(air), kLegs)) continue;

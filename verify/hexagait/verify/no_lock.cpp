@@ -12,6 +12,7 @@ using namespace gait_state;
 namespace {
 
 constexpr int kLegs = 6;
+constexpr double kTolerance = 1e-3;  // less than any difference of lags
 
 /// All gait states, including cyclic ones: raw relations may be cyclic, since hysteresis is not
 /// transitive.
@@ -107,7 +108,7 @@ Theorem rule_1(const Rules& rules, const Scope&) {
   const auto check = [&](GaitLatch latch, const GaitInput& input, const GaitState& order) {
     if (!theorem.holds()) return;
     const LatchStep start{latch.stored, latch.raw, order, order, {}};
-    const GaitDecision decision = rules.update(latch, input, {});
+    const GaitDecision decision = rules.update(latch, input, {.tie_tolerance = kTolerance});
     const bool keeps_rule_1 = !breaks_rule_1(input.airborne | decision.may_step, kLegs);
     const bool walks_on = !input.airborne.empty() || !decision.may_step.empty();
     theorem.check(keeps_rule_1 && walks_on && decision.state.ccn() == kLegs / 2, [&] {

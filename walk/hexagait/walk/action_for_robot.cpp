@@ -54,11 +54,10 @@ class Mapping {
   [[nodiscard]] Vector3 foot(LegId leg, FrameId frame, const Vector3& p) const {
     const bool in_base = frame == kBase;
     const Vector2 before = from_.model.legs[leg].p_BC.head<2>();
-    const Vector2 after = to_.model.legs[leg].p_BC.head<2>();
-    Vector3 mapped;
-    mapped.head<2>() = in_base
-                           ? after + length_ * (p.head<2>() - before)
-                           : after - to_.middle + length_ * (p.head<2>() - (before - from_.middle));
+    const Vector2 origin = in_base ? Vector2(0.0, 0.0) : from_.middle;
+    const Vector2 new_origin = in_base ? Vector2(0.0, 0.0) : to_.middle;
+    Vector3 mapped = to_.model.legs[leg].p_BC;
+    mapped.head<2>() += length_ * (p.head<2>() + origin - before) - new_origin;
     mapped.z() = in_base ? -height(-p.z()) : up_ * p.z();
     return mapped;
   }

@@ -48,9 +48,9 @@ Referee::Referee(const RobotModel& model, const GroundTruth& truth, double contr
       slip_before_touch_(model.num_legs(), Vector3::Zero()),
       supports_(model.num_legs()),
       lift_time_(model.num_legs(), 0.0),
+      yaw_before_(start_.angle),
       not_standing_(model.num_legs(), 0.0),
-      not_stepping_(model.num_legs(), 0.0),
-      yaw_before_(start_.angle) {
+      not_stepping_(model.num_legs(), 0.0) {
   for (LegId i = 0; i < model.num_legs(); ++i) {
     outer_ = std::max(outer_, model.legs[i].p_BC.head<2>().norm());
     stances_[i] = {.stands = truth.feet[i].in_contact, .slip_before = truth.feet[i].slip};

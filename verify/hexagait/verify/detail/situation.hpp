@@ -78,7 +78,7 @@ class Slices {
  private:
   const Rules& rules_;
   int n_, step_time_;
-  gait_state::GaitParams params_;
+  gait_state::GaitParams params_{.tie_tolerance = 1e-3};
   std::vector<LegArray<double>> lags_;  // indexed by the state's bits
 };
 
