@@ -22,6 +22,12 @@
 namespace hexagait::app {
 namespace {
 
+// Parameters of robots have a dot in their names, placeholders have none.
+bool is_parameter(const std::string& text) {
+  const std::size_t dot = text.find('.');
+  return dot != std::string::npos && dot < text.find('=');
+}
+
 std::map<std::string, std::string> placeholders(const std::vector<std::string>& set) {
   std::map<std::string, std::string> values;
   for (const std::string& text : set) {
@@ -107,12 +113,29 @@ ActionInput action_input(const ActionArguments& arguments) {
         "--controller is virtual_model, which drives legs by efforts; --servo position-only takes "
         "none");
   input.start = walk::start_posture(input.robot, start_kind(arguments.start), input.seed);
-  input.action = load(input.file, input.robot, arguments.set);
+  std::vector<std::string> placeholders, parameters;
+  std::ranges::partition_copy(arguments.set, std::back_inserter(parameters),
+                              std::back_inserter(placeholders), is_parameter);
+  input.params =
+      completed(given_params(arguments.robot, arguments.params, parameters), input.robot);
+  input.action = load(input.file, input.robot, placeholders);
   return input;
+}
+
+RunnerParams ActionInput::runner() const {
+  RunnerParams result;
+  result.executor.swing = params.swing;
+  result.executor.base = params.base;
+  result.executor.virtual_model.frequency = params.spring.frequency;
+  result.executor.virtual_model.turn_frequency = params.spring.turn_frequency;
+  result.tolerance = params.tolerance;
+  result.sequencer.planner.script = params.script;
+  return result;
 }
 
 Preview preview(const ActionInput& input, const std::function<void(const ActionRecord&)>& observe) {
   PreviewParams params;
+  params.runner = input.runner();
   params.rests_on = input.start.rests_on;
   return hexagait::preview(input.robot, input.start.q, input.action, params, observe);
 }

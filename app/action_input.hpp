@@ -20,7 +20,8 @@ struct ActionArguments {
   std::string robot = "argos", start = "standing", terrain = "flat", seed = "1";
   std::string controller = "kinematic";  ///< of `run`
   RobotOverrides overrides;
-  std::vector<std::string> set;  ///< NAME=VALUE
+  std::vector<std::string> set;  ///< NAME=VALUE, of a placeholder or of a parameter of the robot
+  std::string params;            ///< a file of parameters
   PlantArguments plant;          ///< of `run`
   bool json = false, quiet = false;
   bool preview = false, force = false;
@@ -37,6 +38,9 @@ struct ActionInput {
   std::uint64_t seed = 1;
   recording::PlantSetup plant;
   WholeBodyController controller = WholeBodyController::kinematic;
+  RobotParams params;  ///< of the robot, complete
+
+  [[nodiscard]] RunnerParams runner() const;
 };
 
 /// Everything that the options name is there and makes sense.

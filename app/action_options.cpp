@@ -51,9 +51,14 @@ void add_common(CLI::App& command, ActionArguments& a) {
       .add_option("--seed", a.seed, "Seed of terrain, plant, and of the legs that lie: 0, 1, 2, …")
       ->type_name("N")
       ->capture_default_str();
-  command.add_option("--set", a.set, "Value of a placeholder of the file; may be repeated")
+  command
+      .add_option(
+          "--set", a.set,
+          "Value of a placeholder of the file, or of a parameter of the robot; may be repeated")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
+  command.add_option("--params", a.params, "Parameters of the robot, YAML: see docs/parameters.md")
+      ->type_name("FILE");
   command.add_flag("--json", a.json, "Print one JSON object");
   group(command, "Action, robot and start");
 }

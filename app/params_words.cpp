@@ -16,7 +16,7 @@ std::string params_in_words(const RobotModel& robot, RobotParams given) {
       scale.size, scale.reach, scale.time);
   RobotParams all = completed(given, robot);
   for (const Parameter& one : parameters()) {
-    const bool is_given = !std::isnan(one.in(given));
+    const bool is_given = !is_derived(one.in(given));
     text += fmt::format(
         "  {:<32} {:>10.4g} {:<9}  {}\n", one.name, one.in(all), one.unit,
         is_given ? std::string("given") : fmt::format("{:g} {}", one.factor, symbol(one.of)));

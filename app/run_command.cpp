@@ -65,10 +65,13 @@ int preview_command(const ActionArguments& arguments) {
 // The first interrupt stops the action, so that the robot comes to a stance; the second ends all.
 walk::ActionSummary simulate(const ActionInput& input, double seconds, Figure& figure, bool quiet) {
   sim3d::WorldParams params = input.plant.world;
+  static_cast<PlantParams&>(params) = input.params.plant;
+  if (!is_derived(input.plant.world.contact_threshold))
+    params.contact_threshold = input.plant.world.contact_threshold;
   params.seed = input.seed;
   params.start_height = input.start.height;
   sim3d::World world(input.robot, input.terrain, params, input.start.q);
-  RunnerParams runner_params;
+  RunnerParams runner_params = input.runner();
   walk::FaultyPlant plant(world, input.robot, input.plant.faults, params.control_dt, input.seed);
   runner_params.executor.controller = input.controller;
   ActionRunner runner(input.robot, runner_params);

@@ -4,6 +4,7 @@
 
 #include <hexagait/executor/executor.hpp>
 #include <hexagait/model/kinematics.hpp>
+#include <testing/round_params.hpp>
 
 /// For tests of the executor alone.
 namespace hexagait::testing {
@@ -16,7 +17,7 @@ struct Scene {
   Executor executor;
   RobotState state;
 
-  explicit Scene(const RobotModel& robot) : model(robot), executor(robot, {}) {
+  explicit Scene(const RobotModel& robot) : model(robot), executor(robot, round_executor()) {
     const int n = robot.num_legs();
     state.q = LegArray<LegJoints>(n);
     state.p_BF = state.p_OF = state.print_O = LegArray<Vector3>(n);

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <hexagait/executor/executor.hpp>
 #include <hexagait/params/robot_params.hpp>
+#include <limits>
 
 namespace hexagait::testing {
 
@@ -13,6 +15,7 @@ inline RobotParams round_params() {
   p.step.height = 0.10;
   p.step.max_height = 0.22;
   p.step.stability_margin = 0.03;
+  p.step.lift_margin = 0.06;
 
   p.swing.unload_time = 0.04;
   p.swing.load_time = 0.02;
@@ -102,6 +105,15 @@ inline RobotParams round_params() {
   p.referee.progress = 0.05;
   p.referee.patience = 10.0;
   return p;
+}
+
+/// The same of an executor.
+inline ExecutorParams round_executor() {
+  ExecutorParams params;
+  params.swing = round_params().swing;
+  params.swing.max_rise = kDerived;
+  params.base = round_params().base;
+  return params;
 }
 
 /// The same of a simulated world.

@@ -19,7 +19,7 @@ inline RunnerParams rounded(RunnerParams params) {
   all.tolerance = params.tolerance;
   all.script = params.sequencer.planner.script;
   for (const Parameter& one : parameters())
-    if (std::isnan(one.in(all))) one.in(all) = one.in(round);
+    if (is_derived(one.in(all))) one.in(all) = one.in(round);
   params.executor.swing = all.swing;
   params.executor.base = all.base;
   params.tolerance = all.tolerance;

@@ -116,39 +116,43 @@ double nominal_step_time(const SwingParams& swing, const StepParams& step) noexc
 }
 
 gait_state::GaitInput gait_input(const RobotModel& model, const PathArc& arc,
-                                 const Executor& executor, const StepParams& params) noexcept {
+                                 const Executor& executor, const StepParams& params,
+                                 const Pose& X_BG) noexcept {
   const int n = model.num_legs();
+  const Pose X_GB = X_BG.inverse();
   gait_state::GaitInput input{LegArray<double>(n, 0.0), LegSet(), LegSet()};
   const LegSet support = executor.support();
   for (LegId i = 0; i < n; ++i) {
     const LegModel& leg = model.legs[i];
-    const Vector3& p_BF = executor.legs()[i].p_BF;
-    input.lag[i] = lag(arc, i, p_BF);
+    const Vector3 p_GF = X_GB * executor.legs()[i].p_BF;
+    input.lag[i] = lag(arc, i, p_GF);
     input.airborne.set(i, !support.contains(i));
-    const double behind = arc.direction[i].dot((leg.p_BC - p_BF).head<2>());
+    const double behind = arc.direction[i].dot((leg.p_BC - p_GF).head<2>());
     input.urgent.set(i, behind > params.urgent_share * leg.workspace_radius);
   }
   return input;
 }
 
-double path_to_come(const PathArc& arc, const Executor& executor, double half_step) noexcept {
+double path_to_come(const PathArc& arc, const Executor& executor, double half_step,
+                    const Pose& X_BG) noexcept {
   const LegSet support = executor.support();
-  LegArray<Vector3> p_BF(arc.p_BC.size());
-  for (LegId i = 0; i < p_BF.size(); ++i)
-    p_BF[i] = support.contains(i) ? executor.legs()[i].p_BF : aep(arc, i, half_step);
-  return std::max(0.0, posture::arc_optimum(p_BF, arc.p_BC, support, arc.per_metre).advance);
+  const Pose X_GB = X_BG.inverse();
+  LegArray<Vector3> p_GF(arc.p_BC.size());
+  for (LegId i = 0; i < p_GF.size(); ++i)
+    p_GF[i] = support.contains(i) ? X_GB * executor.legs()[i].p_BF : aep(arc, i, half_step);
+  return std::max(0.0, posture::arc_optimum(p_GF, arc.p_BC, support, arc.per_metre).advance);
 }
 
 FootstepCommand footstep(const RobotModel& model, const PathArc& arc, const RobotState& state,
-                         LegId leg, double half_step, double to_come,
-                         const StepParams& params) noexcept {
+                         LegId leg, double half_step, double to_come, const StepParams& params,
+                         const Pose& X_BG) noexcept {
   const double reach = 0.5 * model.legs[leg].workspace_radius;
-  const Vector3 aep_BF = aep(arc, leg, std::min(half_step, reach) + to_come);
+  const Vector3 aep_GF = aep(arc, leg, std::min(half_step, reach) + to_come);
   const double start_z = state.print_O[leg].z();
   double highest_z = start_z;
   for (const Vector3& print : state.print_O) highest_z = std::max(highest_z, print.z());
 
-  FootstepCommand step{leg, state.X_OB * aep_BF, 0.0};
+  FootstepCommand step{leg, state.X_OB * (X_BG * aep_GF), 0.0};
   step.p_OT.z() = start_z;
   step.profile_height =
       std::min(params.max_height, params.height + params.roughness_gain * (highest_z - start_z));

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 #include <testing/kinematic_plant.hpp>
+#include <testing/round_params.hpp>
 
 namespace hexagait::footstep_gen {
 namespace {
@@ -16,6 +17,8 @@ using heading_control::Heading;
 using heading_control::PathArc;
 
 constexpr double kPi = std::numbers::pi;
+
+StepParams round_step() { return hexagait::testing::round_params().step; }
 
 /// Of six feet from their workspace centres [m].
 using Offsets = std::array<Vector3, 6>;
@@ -28,7 +31,7 @@ Offsets shift_of_all(const Vector3& offset) {
 struct Stance {
   RobotModel robot = testing::robot_of(6);
   RobotState state;
-  Executor executor{robot, {}};
+  Executor executor{robot, hexagait::testing::round_executor()};
 
   // Not inlined: GCC 12 would warn that unused elements are copied uninitialised.
   [[gnu::noinline]] explicit Stance(const Offsets& offset = shift_of_all(Vector3::Zero())) {
@@ -257,7 +260,7 @@ TEST(BaseCommand, BringsACentreOfMassFromOutsideBackOverTheFeet) {
   stance.robot.p_BM = {-0.05, 0.0, 0.0};
   const auto corrected = [&](const Vector2& deviation) {
     return base_auto(stance.robot, stance.arc(Heading::straight(0.0)), stance.executor,
-                     stance.state.X_OB, {deviation, 0.0}, {})
+                     stance.state.X_OB, {deviation, 0.0}, round_step())
         .correction.v;
   };
   EXPECT_LT((corrected({0.0, 0.0}) - Vector2(0.05, 0.0)).norm(), 1e-9);
@@ -312,7 +315,7 @@ Least move_base(Stance& stance, const PathArc& arc, const PlanarTwist& off, doub
     const Pose X_BG = state.X_OB.inverse() * X_OG;
     const PlanarTwist deviation{X_BG.p.head<2>(), std::atan2(X_BG.R(1, 0), X_BG.R(0, 0))};
     stance.executor.command(
-        base_auto(stance.robot, arc, stance.executor, state.X_OB, deviation, {}));
+        base_auto(stance.robot, arc, stance.executor, state.X_OB, deviation, round_step()));
     stance.executor.advance(state, dt);
     const Twist V = stance.executor.base().twist();
     state.X_OB = state.X_OB * Pose{rotation(V.w * dt), dt * V.v + 0.5 * dt * dt * V.w.cross(V.v)};
@@ -346,7 +349,7 @@ TEST(BaseCommand, LeavesStandingFeetInReachAndTheCentreOfMassInside) {
           stance.arc(Heading::arc(random.uniform(0.3, 3.0), random.uniform(-kPi, kPi)));
       const PlanarTwist off{{random.uniform(-0.15, 0.15), random.uniform(-0.15, 0.15)},
                             random.uniform(-0.2, 0.2)};
-      const double to_be = std::min(margin(stance), StepParams{}.stability_margin);
+      const double to_be = std::min(margin(stance), round_step().stability_margin);
       const Least least = move_base(stance, arc, off, dt);
       EXPECT_TRUE(least.in_reach) << dt << " " << seed;
       EXPECT_GT(least.margin, to_be - 0.003 - 0.1 * dt) << dt << " " << seed;

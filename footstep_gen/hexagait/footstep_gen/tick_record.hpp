@@ -3,6 +3,7 @@
 #pragma once
 
 #include <hexagait/executor/executor.hpp>
+#include <hexagait/footstep_gen/lift_gate.hpp>
 #include <hexagait/gait_state/latch.hpp>
 #include <hexagait/heading_control/heading.hpp>
 #include <hexagait/heading_control/path_arc.hpp>
@@ -37,6 +38,7 @@ struct TickRecord {
   LegSet rule1_violations;  ///< legs that lift while a neighbour lifts or is not in support
 
   // footstep_gen
+  LiftGateDecision gate;                ///< of robots that crawl; sway in the body frame
   double path_to_come = 0.0;            ///< advance until all airborne feet have landed [m of path]
   LegArray<FootstepCommand> footsteps;  ///< last command of each leg
   BaseAutoCommand base_auto;

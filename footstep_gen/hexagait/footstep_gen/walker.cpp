@@ -5,6 +5,7 @@
 #include <hexagait/executor/check_params.hpp>
 #include <hexagait/footstep_gen/detail/rear_edge.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
+#include <hexagait/gait_state/ring.hpp>
 #include <hexagait/math/trigonometry.hpp>
 #include <limits>
 
@@ -28,11 +29,17 @@ WalkerParams checked(const WalkerParams& params) {
       {"max_height [m]", step.max_height},
       {"urgent_share", step.urgent_share},
       {"stability_margin [m]", step.stability_margin},
+      {"lift_margin [m]", step.lift_margin},
       {"tie_tolerance [m]", params.gait.tie_tolerance},
   };
   require_not_negative(violations, not_negative);
   violations.throw_if_any();
   return params;
+}
+
+// The displacement as a pose in the body frame.
+Pose pose(const PlanarTwist& displacement) {
+  return {rotation_z(displacement.w), {displacement.v.x(), displacement.v.y(), 0.0}};
 }
 
 }  // namespace
@@ -157,11 +164,15 @@ void Walker::steer(const heading_control::Heading& heading) noexcept {
 }
 
 void Walker::decide() noexcept {
-  record_.gait_input = gait_input(*model_, record_.arc, executor_, params_.step);
+  X_BG_ = crawls() ? pose(record_.deviation) : Pose{};
+  record_.gait_input = gait_input(*model_, record_.arc, executor_, params_.step, X_BG_);
+  record_.gate = crawls() ? gate() : LiftGateDecision{};
   const gait_state::StepConditions conditions{.time = time(),
                                               .rear_edge = record_.rear_edge,
                                               .walking = record_.heading.moving(),
-                                              .unsure = executor_.unsure()};
+                                              .unsure = executor_.unsure(),
+                                              .crawls = crawls(),
+                                              .open = record_.gate.open};
   const gait_state::StepDecision decision =
       gait_state::decide(memory_, record_.gait_input, conditions, params_.gait, params_.stepper);
   record_.gait = decision.gait;
@@ -170,20 +181,54 @@ void Walker::decide() noexcept {
   record_.rule1_violations = decision.rule1_violations;
 }
 
+// Rule 1.
+LegSet Walker::may_crawl() const noexcept {
+  if (!record_.heading.moving()) return {};
+  const int n = model_->num_legs();
+  const LegSet support = executor_.support();
+  return without(support, gait_state::neighbours_of(without(LegSet::all(n), support), n));
+}
+
+LiftGateDecision Walker::gate() noexcept {
+  const int n = model_->num_legs();
+  const Matrix3& R_OB = record_.state.X_OB.R;
+  const Vector2 path = record_.arc.per_metre.v;
+  LiftGateInput in{.feet = LegArray<Vector3>(n),
+                   .p_M = (R_OB * model_->p_BM).head<2>(),
+                   .support = executor_.support(),
+                   .may_step = may_crawl(),
+                   .lag = record_.gait_input.lag,
+                   .along = LegArray<double>(n, 0.0),
+                   .path = (R_OB * Vector3(path.x(), path.y(), 0.0)).head<2>(),
+                   .margin = params_.step.lift_margin};
+  for (LegId i = 0; i < n; ++i) {
+    in.feet[i] = R_OB * executor_.legs()[i].p_BF;
+    in.along[i] = record_.arc.direction[i].dot(model_->legs[i].p_BC.head<2>());
+  }
+  LiftGateDecision decision = gate_.update(in);
+  decision.sway = R_OB.topLeftCorner<2, 2>().transpose() * decision.sway;
+  return decision;
+}
+
 void Walker::command() noexcept {
   const bool walks = record_.heading.moving();
   const double half_step = walks ? 0.5 * params_.step.stroke : 0.0;
-  record_.path_to_come = path_to_come(record_.arc, executor_, half_step);
+  record_.path_to_come = path_to_come(record_.arc, executor_, half_step, X_BG_);
 
   for (LegId i = 0; i < model_->num_legs(); ++i) {
     const bool in_air = executor_.legs()[i].phase != LegPhase::support;
     if (!in_air && !record_.lifts.contains(i)) continue;
     record_.footsteps[i] = footstep(*model_, record_.arc, record_.state, i, half_step,
-                                    share_to_come(i) * record_.path_to_come, params_.step);
+                                    share_to_come(i) * record_.path_to_come, params_.step, X_BG_);
     executor_.command(record_.footsteps[i], record_.state);
   }
-  record_.base_auto = base_auto(*model_, record_.arc, executor_, record_.state.X_OB,
-                                record_.deviation, params_.step);
+  // While it crawls its footholds keep to the path; the body follows them.
+  const bool sways = crawls() && walks;
+  const PlanarTwist back{sways ? Vector2(Vector2::Zero()) : record_.deviation.v,
+                         record_.deviation.w};
+  record_.base_auto =
+      base_auto(*model_, record_.arc, executor_, record_.state.X_OB, back, params_.step);
+  if (sways) sway(record_.base_auto, record_.gate.sway);
   record_.base_auto.max_speed = speed_limit_;
   executor_.command(record_.base_auto);
 }

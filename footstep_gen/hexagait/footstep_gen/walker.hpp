@@ -73,12 +73,15 @@ class Walker {
   void estimate() noexcept;
   void steer(const heading_control::Heading& heading) noexcept;
   void decide() noexcept;
+  [[nodiscard]] LegSet may_crawl() const noexcept;
+  LiftGateDecision gate() noexcept;
   void command() noexcept;
   void execute() noexcept;
   void stop(Fault fault) noexcept;
   [[nodiscard]] double time() const noexcept {
     return static_cast<double>(ticks_) * params_.control_dt;
   }
+  [[nodiscard]] bool crawls() const noexcept { return must_crawl(model_->num_legs()); }
   [[nodiscard]] double share_to_come(LegId leg) const noexcept;
 
   const RobotModel* model_;
@@ -88,6 +91,8 @@ class Walker {
   StateEstimator estimator_;
   heading_control::PathTracker tracker_;
   gait_state::GaitMemory memory_;
+  LiftGate gate_;
+  Pose X_BG_;  ///< see gait_input()
   Executor executor_;
   double speed_limit_ = std::numeric_limits<double>::infinity();  ///< along the path [m/s]
   long ticks_ = 0;  ///< number of control periods, late ones too

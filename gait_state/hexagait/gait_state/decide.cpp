@@ -19,7 +19,8 @@ StepDecision decide(GaitMemory& memory, const GaitInput& legs, const StepConditi
                     const GaitParams& gait, const StepperParams& stepper) noexcept {
   StepDecision result;
   result.gait = memory.latch.update(legs, gait);
-  const LegSet may_step = conditions.walking ? result.gait.may_step : LegSet();
+  LegSet may_step = conditions.crawls ? conditions.open : result.gait.may_step;
+  if (!conditions.walking) may_step = {};
   result.lifts = memory.stepper.update(
       {.time = conditions.time,
        .airborne = legs.airborne,

@@ -18,6 +18,10 @@ struct StepConditions {
   /// Legs that count as standing and feel nothing at this moment: after a bounce, or on an edge. No
   /// neighbour of theirs lifts until they feel the ground again, or count as off it.
   LegSet unsure = {};
+
+  /// A robot that lifts one leg at a time: those that lift are `open`, whatever the relations.
+  bool crawls = false;
+  LegSet open = {};
 };
 
 struct StepDecision {

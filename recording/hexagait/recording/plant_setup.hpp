@@ -36,7 +36,7 @@ struct PlantNumber {
   /// 0 if it is kDerived: then it is the robot's.
   [[nodiscard]] double of(const PlantSetup& setup) const {
     const double value = of_world != nullptr ? setup.world.*of_world : setup.faults.*of_faults;
-    return std::isnan(value) ? 0.0 : value;
+    return is_derived(value) ? 0.0 : value;
   }
 };
 [[nodiscard]] const std::vector<PlantNumber>& plant_numbers();

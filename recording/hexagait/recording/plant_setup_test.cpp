@@ -91,12 +91,14 @@ TEST(PlantSetup, EveryNumberIsWithinItsRangeByDefaultAndAtItsEnds) {
 // World and faults both reach the walk, and both are drawn by its seed.
 TEST(PlantSetup, IsThatOfTheWalk) {
   const RobotModel argos = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  const auto hash_of = [](const RobotModel& robot, const char* plant, std::uint64_t seed = 1) {
+  const RobotParams params = params_for(argos);
+  const auto hash_of = [&params](const RobotModel& robot, const char* plant, std::uint64_t seed = 1) {
     Simulation simulation;
     simulation.plant = parse_plant(plant);
     simulation.seed = seed;
     simulation.trial.schedule = {{0.0, heading_control::Heading::straight(0.0)}};
     simulation.trial.seconds = 1.0;
+    simulation.params = params;  // whatever the joints can do
     return simulate(robot, simulation).state_hash;
   };
   const auto hash = [&](const char* plant, std::uint64_t seed = 1) {

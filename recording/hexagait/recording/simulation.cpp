@@ -8,7 +8,7 @@ namespace hexagait::recording {
 sim3d::WorldParams world_params(const Simulation& simulation) {
   sim3d::WorldParams params = simulation.plant.world;
   static_cast<PlantParams&>(params) = simulation.params.plant;
-  if (!std::isnan(simulation.plant.world.contact_threshold))
+  if (!is_derived(simulation.plant.world.contact_threshold))
     params.contact_threshold = simulation.plant.world.contact_threshold;
   params.physics_dt = simulation.physics_dt;
   params.control_dt = simulation.control_dt;

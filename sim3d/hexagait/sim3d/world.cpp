@@ -179,7 +179,7 @@ WorldParams completed(WorldParams params, const RobotModel& robot) {
   RobotParams all;
   all.plant = params;
   static_cast<PlantParams&>(params) = completed(all, robot, params.gravity).plant;
-  if (std::isnan(params.physics_dt))
+  if (is_derived(params.physics_dt))
     params.physics_dt = physics_step_for(params.control_dt, params.longest_step);
   return params;
 }

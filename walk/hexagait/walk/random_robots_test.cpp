@@ -118,7 +118,7 @@ std::string failure(const RobotModel& robot) {
 }
 
 TEST(RandomRobots, WalkIfTheyCanStand) {
-  constexpr int kRobots = 24;
+  constexpr int kRobots = 5;
   int stand = 0, walk = 0;
   for (std::uint64_t seed = 1; seed <= kRobots; ++seed) {
     std::string problem;
@@ -141,7 +141,7 @@ TEST(RandomRobots, WalkIfTheyCanStand) {
   }
   fmt::print("{} of {} can stand; {} of them walk\n", stand, kRobots, walk);
   EXPECT_GE(stand, kRobots / 2);
-  EXPECT_GE(walk, 0.9 * stand);
+  EXPECT_EQ(walk, stand);
 }
 
 }  // namespace

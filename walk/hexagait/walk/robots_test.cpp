@@ -5,6 +5,7 @@
 #include <hexagait/sim3d/world.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <hexagait/walk/trial.hpp>
+#include <numbers>
 
 /// Every robot that comes with hexagait walks, from 0.2 to 100 kg, by what params_for() makes of its
 /// model: nothing is set.
@@ -58,6 +59,37 @@ TEST_P(Robots, TurnInPlace) {
 INSTANTIATE_TEST_SUITE_P(All, Robots,
                          ::testing::Values("argos", "spider", "desktop", "mite", "octopod",
                                            "hexapod_mammal", "titan", "beetle"),
+                         [](const auto& of) { return std::string(of.param); });
+
+/// One leg at a time, the centre of mass inside the other three feet. The body sways across its path,
+/// so how far it is off says nothing; its feet are not.
+using Quadrupeds = Robots;
+
+TEST_P(Quadrupeds, Crawl) {
+  const Summary s = walked(Heading::straight(0.0), 60.0, 1e9);
+  EXPECT_TRUE(s.ok()) << in_words(s.hindrance, robot_);
+  EXPECT_GT(s.speed, 0.03);
+  EXPECT_GT(s.margin_min, 0.0);
+  EXPECT_LT(s.heading_max, 0.01);
+  EXPECT_LT(s.slip_p95, 0.002);
+  EXPECT_EQ(s.neighbour_flight, 0.0);
+}
+
+TEST_P(Quadrupeds, CrawlAlongAnArcAndBackwardsAndTurn) {
+  for (const Heading& heading :
+       {Heading::arc(2.0 * length_, 0.0), Heading::straight(0.5 * std::numbers::pi),
+        Heading::straight(std::numbers::pi)}) {
+    const Summary s = walked(heading, 20.0, 1e9);
+    EXPECT_TRUE(s.ok()) << in_words(s.hindrance, robot_);
+    EXPECT_GT(s.distance, 0.4);
+    EXPECT_LT(s.lateral_max, 0.2 * length_);
+  }
+  const Summary s = walked(Heading::spin(Turn::ccw), 20.0, 1e9);
+  EXPECT_TRUE(s.ok()) << in_words(s.hindrance, robot_);
+  EXPECT_GT(s.turned, 1.5);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Quadrupeds, ::testing::Values("quadruped", "quadruped_rpp"),
                          [](const auto& of) { return std::string(of.param); });
 
 }  // namespace

@@ -20,6 +20,10 @@ PlanarTwist wanted_velocity(const BaseAutoCommand& command, const BaseGoal& goal
   Vector2 v = rate * command.correction.v;
   if (v.norm() > params.correction_speed) v *= params.correction_speed / v.norm();
   const double w = clamped(rate * command.correction.w, params.correction_turn);
+  if (const double way = command.sway.norm(); way > 0.0)
+    v +=
+        command.sway *
+        (approach_speed(way, params.acceleration, params.advance_rate, params.max_speed, dt) / way);
   return {speed * command.path.v + v, speed * command.path.w + w};
 }
 

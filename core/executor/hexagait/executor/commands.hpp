@@ -48,6 +48,8 @@ struct BaseAutoCommand {
   PoseAdaptation adaptation = nullptr;  ///< null: the base stays where it is
   PlanarTwist path;                     ///< twist along the commanded path, per metre of path
   PlanarTwist correction;               ///< displacement back to the path [m, rad]
+  /// Displacement besides the path, as fast as the base moves along it [m].
+  Vector2 sway = Vector2::Zero();
   /// How far the base may go along the path, and back [m of path]; 0 is between them.
   double max_advance = std::numeric_limits<double>::infinity();
   double min_advance = -std::numeric_limits<double>::infinity();

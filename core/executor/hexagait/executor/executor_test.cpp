@@ -253,7 +253,7 @@ TEST(ExecutorHold, LeavesNoSpeedToAFootInTheAir) {
   const RobotModel model = argos();
   Scene scene(model);
   scene.executor.command(
-      FootstepCommand{2, scene.state.X_OB * (model.legs[2].p_BC + Vector3(0.1, 0, 0))},
+      FootstepCommand{2, scene.state.X_OB * (model.legs[2].p_BC + Vector3(0.1, 0, 0)), 0.1},
       scene.state);
   for (int tick = 0; tick < 100; ++tick) scene.tick();
   ASSERT_EQ(scene.executor.legs()[2].phase, LegPhase::transfer);

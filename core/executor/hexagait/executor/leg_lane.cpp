@@ -11,6 +11,9 @@ namespace {
 // Has a timer that counts in control periods reached its time?
 bool elapsed(double time, double limit) { return time > limit - kTimeTolerance; }
 
+// A tick's share of a ramp that ends in the tick that is nearest to its time.
+double tick_share(double dt, double time) { return 1.0 / std::max(1.0, std::round(time / dt)); }
+
 void enter(LegLane& lane, LegPhase phase) {
   lane.phase = phase;
   lane.time = 0.0;
@@ -100,7 +103,7 @@ void land(LegLane& lane, double dt, const SwingParams& params) {
   lane.a_O.setZero();
   lane.without_contact = 0.0;
   lane.confirmed = lane.believed = false;
-  ramp(lane.load, 1.0, dt / params.load_time);
+  ramp(lane.load, 1.0, tick_share(dt, params.load_time));
 }
 
 // Moves back and up. The next attempt is higher and, after two, shorter; after the last one the foot
@@ -146,7 +149,7 @@ void support(LegLane& lane, double dt, const Pose& X_OB, const SwingParams& para
   if (!lane.believed && lost)
     return enter(lane, params.reflexes ? LegPhase::descend : LegPhase::search);
 
-  ramp(lane.load, lost ? 0.0 : 1.0, dt / params.load_time);
+  ramp(lane.load, lost ? 0.0 : 1.0, tick_share(dt, params.load_time));
   if (lane.without_contact > (lane.confirmed ? params.regain_time : params.lost_time)) {
     begin_step(lane, params.reflexes ? LegPhase::descend : LegPhase::search, X_OB);
     lane.cleared = lane.lost = true;
@@ -156,7 +159,7 @@ void support(LegLane& lane, double dt, const Pose& X_OB, const SwingParams& para
 }
 
 void unload(LegLane& lane, double dt, const Pose& X_OB, const SwingParams& params) {
-  ramp(lane.load, 0.0, dt / params.unload_time);
+  ramp(lane.load, 0.0, tick_share(dt, params.unload_time));
   if (lane.load > 0.0) return;
   if (lane.after_unload != LegPhase::lift) return enter(lane, lane.after_unload);
   lane.p_OL = X_OB * lane.p_BF;
@@ -170,8 +173,9 @@ Vector3 swing(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_O
   const Vector2 way = way_to_go(lane, X_OB);
   // What happens between two ticks counts in the tick that is nearer to it: half a tick ahead.
   const double risen = height + 0.5 * dt * lane.v_O.z() - lane.p_OL.z();
-  const bool sideways =
-      lane.transfer_clock > 0.0 || risen > params.clearance_share * lane.step.profile_height;
+  const bool sideways = lane.transfer_clock > 0.0 ||
+                        risen > params.clearance_share * lane.step.profile_height ||
+                        elapsed(lane.time, rise_time(lane, params));
   const double up = rise_left(lane, sensed, height);
   lane.cleared = lane.cleared || !sensed.contact;
 
@@ -311,7 +315,7 @@ void command(LegLane& lane, const LegPlan& plan, const Pose& X_OB) noexcept {
 void follow(LegLane& lane, LegPlan& plan, const LegSensed& sensed, const Pose& X_OB, double dt,
             double rate, const SwingParams& params) noexcept {
   lane.lifted = false;
-  ramp(lane.load, 0.0, dt / params.unload_time);
+  ramp(lane.load, 0.0, tick_share(dt, params.unload_time));
   lane.cleared = lane.cleared || !sensed.contact;
   lane.time = std::min(lane.time + rate * dt, plan.duration);
   if (plan.kind == LegPlan::Kind::foot) follow_curve(lane, plan, X_OB, dt, rate, params);
@@ -369,7 +373,7 @@ void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt
       lane.a_O.setZero();
       break;
   }
-  if (lane.phase != LegPhase::support) ramp(lane.load, 0.0, dt / params.unload_time);
+  if (lane.phase != LegPhase::support) ramp(lane.load, 0.0, tick_share(dt, params.unload_time));
   lane.p_BF += X_OB.R.transpose() * way_O;
 }
 

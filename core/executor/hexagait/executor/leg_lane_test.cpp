@@ -354,8 +354,8 @@ TEST(Swing, IsTheSameWhereverOdomIs) {
   command(b, {0, moved * kTarget, 0.1}, body);
   for (int k = 0; k < 400; ++k) {
     const bool contact = (kBody * a.p_BF).z() <= 0.0;
-    advance(a, {.contact = contact}, kBody, kDt, {});
-    advance(b, {.contact = contact}, body, kDt, {});
+    advance(a, {.contact = contact}, kBody, kDt, testing::round_params().swing);
+    advance(b, {.contact = contact}, body, kDt, testing::round_params().swing);
     ASSERT_EQ(a.phase, b.phase);
     ASSERT_LT((a.p_BF - b.p_BF).norm(), 1e-11);
   }

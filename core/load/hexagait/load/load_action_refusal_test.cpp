@@ -279,7 +279,7 @@ TEST(LoadActionRefuses, WrongShapes) {
                           {"leg_mode: [name, LF]", "leg_mode: is a list of 2"}};
   expect_refusals(faults);
   const Fault files[] = {
-      {"", "bad.yaml:1:1: action: is nothing; it must be a map of name, placeholders, "},
+      {"", "bad.yaml:1:1: action: is nothing; it must be a map of name, robot, placeholders, "},
       {"steps: []", "steps: is empty"},
       {"step: []", "unknown key of action \"step\"; did you mean \"steps\"?"},
       {"steps:\n- step:", "bad.yaml:2:3: step: is empty"},

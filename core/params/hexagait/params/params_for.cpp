@@ -96,6 +96,7 @@ constexpr Parameter kParameters[] = {
     {"step.max_height", "m", 1.0, reach, [](P& p) -> double& { return p.step.max_height; }},
     {"step.stability_margin", "m", 0.03, size,
      [](P& p) -> double& { return p.step.stability_margin; }},
+    {"step.lift_margin", "m", 0.06, size, [](P& p) -> double& { return p.step.lift_margin; }},
 
     {"swing.unload_time", "s", 0.125, time, [](P& p) -> double& { return p.swing.unload_time; }},
     {"swing.load_time", "s", 0.0625, time, [](P& p) -> double& { return p.swing.load_time; }},
@@ -172,7 +173,7 @@ constexpr Parameter kParameters[] = {
     {"script.base_speed", "m/s", 0.0733, speed,
      [](P& p) -> double& { return p.script.base_speed; }},
     {"script.base_turn", "rad/s", 0.0323, rate, [](P& p) -> double& { return p.script.base_turn; }},
-    {"script.support_margin", "m", 0.04, size,
+    {"script.support_margin", "m", 0.133, height,
      [](P& p) -> double& { return p.script.support_margin; }},
     {"script.lift_off_speed", "m/s", 0.147, speed,
      [](P& p) -> double& { return p.script.lift_off_speed; }},
@@ -268,6 +269,8 @@ double measure(ScaleOf of, const RobotScale& s) {
       return 1.0;
     case size:
       return s.size;
+    case height:
+      return s.hip_height;
     case reach:
       return s.reach;
     case time:
@@ -308,6 +311,8 @@ const char* symbol(ScaleOf of) {
       return "";
     case size:
       return "L";
+    case height:
+      return "h";
     case reach:
       return "ℓ";
     case time:
@@ -352,7 +357,7 @@ RobotParams params_for(const RobotModel& model, double gravity) {
 }
 
 RobotParams completed(RobotParams params, const RobotModel& model, double gravity) {
-  const auto open = [&params](const Parameter& one) { return std::isnan(one.in(params)); };
+  const auto open = [&params](const Parameter& one) { return is_derived(one.in(params)); };
   if (std::ranges::none_of(kParameters, open)) return params;
   RobotParams derived = params_for(model, gravity);
   for (const Parameter& one : kParameters)

@@ -45,6 +45,7 @@ struct RobotScale {
 enum class ScaleOf : std::uint8_t {
   none,          ///< a number, or a time of the sensors
   size,          ///< L
+  height,        ///< h, of the body's origin above the feet
   reach,         ///< ℓ
   time,          ///< T
   speed,         ///< ℓ / T

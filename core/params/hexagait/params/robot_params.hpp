@@ -2,13 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <limits>
+#include <bit>
+#include <cstdint>
 
 namespace hexagait {
 
 /// A parameter with this value follows from the robot's model: params_for(). All lengths, times,
-/// forces and gains below have it until they are set, so that none is made for one robot.
-inline constexpr double kDerived = std::numeric_limits<double>::quiet_NaN();
+/// forces and gains below have it until they are set, so that none is made for one robot. It is a
+/// NaN with bits of its own: a NaN that a computation made is a mistake, and stays one.
+inline constexpr double kDerived = std::bit_cast<double>(std::uint64_t{0x7FF8'0000'6465'7276});
+
+[[nodiscard]] constexpr bool is_derived(double value) noexcept {
+  return std::bit_cast<std::uint64_t>(value) == std::bit_cast<std::uint64_t>(kDerived);
+}
 
 /// Parameters of the gait generator's steps.
 struct StepParams {
@@ -28,6 +34,9 @@ struct StepParams {
   /// Least distance of the centre of mass from the edges of the support polygon: the base waits
   /// before [m]. 0: crabbing at 45°, where the support triangle is narrow, tips the robot.
   double stability_margin = kDerived;
+  /// The same of the feet that stay when a robot of four or five legs lifts one: the leg waits, and
+  /// the base moves there [m]. Smaller: less sway and faster; the body tips when it is pushed.
+  double lift_margin = kDerived;
 };
 
 /// Parameters of the swing and of contact.

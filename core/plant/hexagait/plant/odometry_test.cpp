@@ -6,6 +6,7 @@
 #include <hexagait/plant/odometry.hpp>
 #include <hexagait/sim/random.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <testing/round_params.hpp>
 
 namespace hexagait {
 namespace {
@@ -55,7 +56,7 @@ TEST(OdometryReset, TakesABodyThatLiesForLevelWhereverItsFeetAre) {
   RobotState state = standing(six_feet());
   state.p_BF[0].z() += 0.4;
   state.p_BF[3].z() += 0.2;
-  Odometry odometry(model);
+  Odometry odometry(model, testing::round_params().tolerance);
   odometry.reset(state, RestsOn::belly);
   EXPECT_EQ(state.X_OB.R, Matrix3::Identity());
   EXPECT_EQ(state.X_OB.p, Vector3::Zero());
@@ -75,7 +76,7 @@ TEST(OdometryReset, LevelsTheFrameOnTheFeet) {
   RobotState state = standing(six_feet());
   for (Vector3& p : state.p_BF)
     p = R.transpose() * Vector3(p.x(), p.y(), model.foot_radius - kHeight);
-  Odometry odometry(model);
+  Odometry odometry(model, testing::round_params().tolerance);
   odometry.reset(state);
   EXPECT_LT((state.X_OB.R.row(2) - R.row(2)).norm(), 1e-12);
   EXPECT_NEAR(state.X_OB.R(1, 0), 0.0, 1e-12) << "x ahead";
@@ -94,7 +95,7 @@ TEST(OdometryReset, TakesTheGroundForLevelAcrossFeetInARow) {
     LegArray<Vector3> row(4), spot(4, Vector3(0.1, 0.2, -kHeight));
     for (LegId i = 0; i < 4; ++i)
       row[i] = 0.2 * (i - 1.0) * axis + Vector3(0, 0, slope * 0.2 * (i - 1.0) - kHeight);
-    Odometry odometry(model);
+    Odometry odometry(model, testing::round_params().tolerance);
     RobotState state = standing(row);
     odometry.reset(state);
     ASSERT_TRUE(state.X_OB.R.allFinite() && state.X_OB.p.allFinite()) << angle;
@@ -119,7 +120,7 @@ TEST(Odometry, ReproducesAnyTwistOverFixedFootholds) {
     const auto u = [&](double bound) { return random.uniform(-bound, bound); };
     const Twist V{{u(0.5), u(0.5), u(0.1)}, {u(0.2), u(0.2), u(0.5)}};
     RobotState state = standing(six_feet());
-    Odometry odometry(model);
+    Odometry odometry(model, testing::round_params().tolerance);
     odometry.reset(state);
     const Pose X_0 = state.X_OB;
     const LegArray<Vector3> foothold_O = state.p_OF;
@@ -143,7 +144,7 @@ TEST(Odometry, IsExactToANanometreOnTheLevel) {
   const RobotModel model = point_footed(6);
   const Twist V{{0.5, -0.2, 0.0}, {0.0, 0.0, 0.5}};
   RobotState state = standing(six_feet());
-  Odometry odometry(model);
+  Odometry odometry(model, testing::round_params().tolerance);
   odometry.reset(state);
   const Pose X_0 = state.X_OB;
   for (int tick = 1; tick <= 1000; ++tick) {
@@ -191,7 +192,8 @@ TEST(Odometry, KnowsThatSphericalFeetRoll) {
     measure(rolling, state, i, p);
   };
   for (LegId i = 0; i < 4; ++i) stand(i, 0.0, 0.0);
-  Odometry knows(rolling), ignores(point);
+  const ToleranceParams tolerance = testing::round_params().tolerance;
+  Odometry knows(rolling, tolerance), ignores(point, tolerance);
   RobotState naive = state;
   knows.reset(state);
   ignores.reset(naive);
@@ -275,7 +277,7 @@ TEST(Odometry, DoesNotStrayWithTheNoiseOfTheJoints) {
       for (Vector3& p : state.p_BF) p += Vector3(noise(), noise(), noise());
     };
     RobotState state = standing(six_feet());
-    Odometry odometry(model);
+    Odometry odometry(model, testing::round_params().tolerance);
     odometry.reset(state);
     const Pose X_0 = state.X_OB;
     Vector3 mean = Vector3::Zero();
@@ -304,7 +306,7 @@ TEST(Odometry, IsNotDraggedAlongByAFootThatSlides) {
   for (LegId slider = 0; slider < 6; ++slider) {
     for (const Vector3& way : {Vector3(0.02, 0.0, 0.0), Vector3(0.0, 0.02, 0.0)}) {
       RobotState state = standing(six_feet());
-      Odometry odometry(model);
+      Odometry odometry(model, testing::round_params().tolerance);
       odometry.reset(state);
       const Pose X_0 = state.X_OB;
       for (int tick = 1; tick <= 250; ++tick) {
@@ -321,7 +323,7 @@ TEST(Odometry, IsNotDraggedAlongByAFootThatSlides) {
 TEST(Odometry, IsNotDraggedAlongByTwoFeetThatSlideTogether) {
   const RobotModel model = point_footed(6);
   RobotState state = standing(six_feet());
-  Odometry odometry(model);
+  Odometry odometry(model, testing::round_params().tolerance);
   odometry.reset(state);
   const Pose X_0 = state.X_OB;
   for (int tick = 1; tick <= 250; ++tick) {
@@ -337,7 +339,7 @@ TEST(Odometry, IsNotDraggedAlongByTwoFeetThatSlideTogether) {
 TEST(Odometry, IgnoresAFootThatSlipsInATick) {
   const RobotModel model = point_footed(6);
   RobotState state = standing(six_feet());
-  Odometry odometry(model);
+  Odometry odometry(model, testing::round_params().tolerance);
   odometry.reset(state);
   const Pose X_0 = state.X_OB;
   state.p_BF[3] += Vector3(0.012, 0.016, 0.0);
@@ -353,7 +355,7 @@ TEST(Odometry, FollowsAShiftWithOneOrTwoFeetAndStaysWithNone) {
   const RobotModel model = point_footed(6);
   for (int feet = 0; feet <= 2; ++feet) {
     RobotState state = standing(six_feet());
-    Odometry odometry(model);
+    Odometry odometry(model, testing::round_params().tolerance);
     odometry.reset(state);
     LegArray<double> footing(6, 0.0);
     for (LegId i = 0; i < feet; ++i) footing[i] = 1.0;
@@ -372,7 +374,7 @@ TEST(Odometry, FollowsAShiftWithOneOrTwoFeetAndStaysWithNone) {
 TEST(Odometry, AnchorsAFootAnewWhereItLands) {
   const RobotModel model = point_footed(6);
   RobotState state = standing(six_feet());
-  Odometry odometry(model);
+  Odometry odometry(model, testing::round_params().tolerance);
   odometry.reset(state);
   const Pose X_0 = state.X_OB;
   LegArray<double> footing(6, 1.0);

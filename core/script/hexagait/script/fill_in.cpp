@@ -7,7 +7,7 @@ namespace hexagait {
 namespace {
 
 void fill(double& value, double with) {
-  if (std::isnan(value)) value = with;
+  if (is_derived(value)) value = with;
 }
 
 void fill_in(action::LegCommand& command, const ScriptParams& params) {

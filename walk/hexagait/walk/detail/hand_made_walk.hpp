@@ -3,6 +3,7 @@
 #pragma once
 
 #include <hexagait/walk/referee.hpp>
+#include <testing/round_params.hpp>
 
 namespace hexagait::walk {
 
@@ -17,15 +18,20 @@ struct HandMadeWalk {
   Referee referee;
 
   explicit HandMadeWalk(const PlanarPose& start = {})
-      : model(six_legs()), truth(standing(start)), referee(model, truth, kDt) {
+      : model(six_legs()),
+        truth(standing(start)),
+        referee(model, truth, kDt, testing::round_params().referee) {
     record.heading = heading_control::Heading::straight(0.0);
     record.legs = LegArray<LegLane>(6);
     record.measurement.q = LegArray<LegJoints>(6, LegJoints::Zero());
   }
 
+  static double side(LegId leg) { return leg % 2 == 0 ? 0.5 : -0.5; }
+
   static RobotModel six_legs() {
     RobotModel model;
     model.legs = LegArray<LegModel>(6);
+    for (LegId i = 0; i < 6; ++i) model.legs[i].p_BC = {0.4 * (1 - i / 2), side(i), -0.3};
     return model;
   }
 
@@ -34,7 +40,7 @@ struct HandMadeWalk {
     truth.X_WB = {rotation_z(start.angle), {start.shift.x(), start.shift.y(), 0.3}};
     truth.feet = LegArray<FootTruth>(6);
     for (LegId i = 0; i < 6; ++i) {
-      truth.feet[i].p_WF = {0.4 * (1 - i / 2), i % 2 == 0 ? 0.5 : -0.5, 0.02};
+      truth.feet[i].p_WF = {0.4 * (1 - i / 2), side(i), 0.02};
       truth.feet[i].in_contact = true;
     }
     return truth;

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <hexagait/balance/support_polygon.hpp>
+#include <hexagait/footstep_gen/lift_gate.hpp>
+#include <limits>
+#include <optional>
+
+namespace hexagait::footstep_gen {
+namespace {
+
+constexpr double kSwayWeight = 0.2, kAlongWeight = 0.02;  // of (crawl 1)
+constexpr double kBeyond = 1.2;  // the base goes farther than the gate asks, of the margin
+
+struct Edge {
+  Vector2 from, inwards;
+};
+
+Edge edge_of(const SupportPolygon& polygon, int k) {
+  const Vector2& from = polygon.vertices[static_cast<std::size_t>(k)];
+  const Vector2& to = polygon.vertices[static_cast<std::size_t>((k + 1) % polygon.size)];
+  return {from, perpendicular(to - from).normalized()};
+}
+
+// The shortest displacement along ± `direction` after which a point is `margin` inside all edges, if
+// there is one.
+std::optional<Vector2> way_across(const SupportPolygon& polygon, const Vector2& point,
+                                  const Vector2& direction, double margin) {
+  double least = -std::numeric_limits<double>::infinity(), most = -least;
+  for (int k = 0; k < polygon.size; ++k) {
+    const Edge edge = edge_of(polygon, k);
+    const double lack = margin - edge.inwards.dot(point - edge.from);
+    const double gain = edge.inwards.dot(direction);
+    if (gain > 0.0)
+      least = std::max(least, lack / gain);
+    else if (gain < 0.0)
+      most = std::min(most, lack / gain);
+    else if (lack > 0.0)
+      return std::nullopt;
+  }
+  if (least > most) return std::nullopt;
+  return direction * std::clamp(0.0, least, most);
+}
+
+// Displacement of a point that is then `margin` inside all edges; if there is no such point, one
+// that is equally far inside of those that matter. By turns onto each edge.
+Vector2 way_inside(const SupportPolygon& polygon, const Vector2& point, double margin) {
+  constexpr int kRounds = 12;
+  Vector2 there = point;
+  for (int round = 0; round < kRounds; ++round) {
+    for (int k = 0; k < polygon.size; ++k) {
+      const Edge edge = edge_of(polygon, k);
+      there += std::max(0.0, margin - edge.inwards.dot(there - edge.from)) * edge.inwards;
+    }
+  }
+  return there - point;
+}
+
+Vector2 sway_for(const LiftGateInput& in, const SupportPolygon& rest, double margin) {
+  const double length = in.path.norm();
+  if (length > 0.0)
+    if (const auto way = way_across(rest, in.p_M, perpendicular(in.path) / length, margin))
+      return *way;
+  return way_inside(rest, in.p_M, margin);
+}
+
+SupportPolygon without_leg(const LiftGateInput& in, LegId leg) {
+  LegSet rest = in.support;
+  rest.erase(leg);
+  return support_polygon(in.feet, rest);
+}
+
+}  // namespace
+
+LiftGateDecision LiftGate::update(const LiftGateInput& in) noexcept {
+  if (next >= 0 && !(in.may_step.contains(next) && in.support.contains(next))) next = -1;
+  if (next < 0) {
+    double best = -std::numeric_limits<double>::infinity();
+    for (LegId i = 0; i < in.feet.size(); ++i) {
+      if (!in.may_step.contains(i) || !in.support.contains(i)) continue;
+      const SupportPolygon rest = without_leg(in, i);
+      if (rest.size < 3) continue;
+      const double way = sway_for(in, rest, in.margin).norm();
+      const double merit = in.lag[i] - kSwayWeight * way - kAlongWeight * in.along[i];
+      if (merit <= best) continue;
+      best = merit;
+      next = i;
+    }
+  }
+  LiftGateDecision decision;
+  if (next < 0) return decision;
+  const SupportPolygon rest = without_leg(in, next);
+  if (rest.size < 3) return decision;
+  if (stability_margin(rest, in.p_M) >= in.margin) decision.open.insert(next);
+  decision.sway = sway_for(in, rest, kBeyond * in.margin);
+  return decision;
+}
+
+void sway(BaseAutoCommand& base, const Vector2& sway) noexcept {
+  base.sway = sway;
+  const double along = base.path.v.dot(sway);
+  if (along > 0.0) base.min_advance = 0.0;
+  if (along < 0.0) base.max_advance = 0.0;
+}
+
+}  // namespace hexagait::footstep_gen

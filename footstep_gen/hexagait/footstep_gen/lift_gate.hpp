@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <hexagait/executor/commands.hpp>
+
+/// Crawling. Six legs that keep rule 1 ([PC04] 3.1) stand on a tripod at least. Four legs that keep
+/// it would trot, on two feet. So robots of four and five legs lift one leg at a time, and a leg
+/// waits until the centre of mass is inside the polygon of the feet that stay, by a margin. Until
+/// then the base moves there.
+namespace hexagait::footstep_gen {
+
+/// Rule 1 alone does not leave three feet on the ground.
+[[nodiscard]] constexpr bool must_crawl(int legs) noexcept { return legs < 6; }
+
+struct LiftGateInput {
+  LegArray<Vector3> feet;          ///< from the body's origin, in axes with vertical z [m]
+  Vector2 p_M = Vector2::Zero();   ///< centre of mass, same axes [m]
+  LegSet support;                  ///< legs that stand
+  LegSet may_step;                 ///< no neighbour is in the air
+  LegArray<double> lag;            ///< δ of the legs [m of path]
+  LegArray<double> along;          ///< how far ahead each leg is on the body, along the path [m]
+  Vector2 path = Vector2::Zero();  ///< direction in which the base moves; 0: it turns in place
+  double margin = 0.0;             ///< least stability margin on the feet that stay [m]
+};
+
+struct LiftGateDecision {
+  LegSet open;                     ///< the leg that may lift now, or none
+  Vector2 sway = Vector2::Zero();  ///< displacement of the base for the leg that is next [m]
+};
+
+/// The leg that lifts next, kept until it has lifted or may not step any more. The order of the
+/// relations ([PC04] 3.1) is not needed where one leg lifts at a time. The base sways across its
+/// path if it can, so that it need not go back. A value.
+struct LiftGate {
+  LegId next = -1;
+
+  /// Chooses, of the legs that may step and leave three feet behind, the one with
+  ///
+  ///     most   δ − 0.2 |sway| − 0.02 along                                      (crawl 1)
+  ///
+  /// : the leg that is farthest back on its path; of such legs one that the base is well placed for;
+  /// of such legs a rear one. On a straight path this is the crawl that is known to be the most
+  /// stable one: a hind leg, then the fore leg before it, then the other side.
+  LiftGateDecision update(const LiftGateInput& in) noexcept;
+};
+
+/// The base's motion while it crawls: `sway` besides the path [m, body frame]. It is not taken back
+/// by the advance along the path, and not added to it.
+void sway(BaseAutoCommand& base, const Vector2& sway) noexcept;
+
+}  // namespace hexagait::footstep_gen
