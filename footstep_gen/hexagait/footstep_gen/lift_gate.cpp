@@ -10,6 +10,7 @@ namespace hexagait::footstep_gen {
 namespace {
 
 constexpr double kSwayWeight = 0.2, kAlongWeight = 0.02;  // of (crawl 1)
+constexpr double kDetour = 2.0;  // of the sway across the path, over the shortest one
 constexpr double kBeyond = 1.2;  // the base goes farther than the gate asks, of the margin
 
 struct Edge {
@@ -57,11 +58,11 @@ Vector2 way_inside(const SupportPolygon& polygon, const Vector2& point, double m
 }
 
 Vector2 sway_for(const LiftGateInput& in, const SupportPolygon& rest, double margin) {
+  const Vector2 shortest = way_inside(rest, in.p_M, margin);
   const double length = in.path.norm();
-  if (length > 0.0)
-    if (const auto way = way_across(rest, in.p_M, perpendicular(in.path) / length, margin))
-      return *way;
-  return way_inside(rest, in.p_M, margin);
+  if (!(length > 0.0)) return shortest;
+  const auto across = way_across(rest, in.p_M, perpendicular(in.path) / length, margin);
+  return across && across->norm() < kDetour * shortest.norm() ? *across : shortest;
 }
 
 SupportPolygon without_leg(const LiftGateInput& in, LegId leg) {

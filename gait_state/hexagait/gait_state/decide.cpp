@@ -21,12 +21,13 @@ StepDecision decide(GaitMemory& memory, const GaitInput& legs, const StepConditi
   result.gait = memory.latch.update(legs, gait);
   LegSet may_step = conditions.crawls ? conditions.open : result.gait.may_step;
   if (!conditions.walking) may_step = {};
+  const StepperParams used = conditions.crawls ? StepperParams{} : stepper;
   result.lifts = memory.stepper.update(
       {.time = conditions.time,
        .airborne = legs.airborne,
-       .may_step = beside_sure_legs(may_step, conditions.unsure, stepper.stepping, legs.lag.size()),
+       .may_step = beside_sure_legs(may_step, conditions.unsure, used.stepping, legs.lag.size()),
        .rear_edge = conditions.rear_edge},
-      stepper);
+      used);
   result.waits = without(may_step, result.lifts);
   result.rule1_violations = rule_1_violations(result.lifts, legs.airborne, legs.lag.size());
   return result;

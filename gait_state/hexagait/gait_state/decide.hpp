@@ -19,7 +19,7 @@ struct StepConditions {
   /// neighbour of theirs lifts until they feel the ground again, or count as off it.
   LegSet unsure = {};
 
-  /// A robot that lifts one leg at a time: those that lift are `open`, whatever the relations.
+  /// A robot that lifts one leg at a time: those that lift are `open`, whatever relations and stepper.
   bool crawls = false;
   LegSet open = {};
 };

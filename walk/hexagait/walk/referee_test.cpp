@@ -176,7 +176,7 @@ TEST(Referee, DoesNotCallProgressOrATurnOrARestStuck) {
   resting.record.heading = Heading::stop();
   for (int k = 0; k < 5500; ++k) {
     slow.truth.X_WB.p.x() = 0.006 * kDt * k;
-    turning.truth.X_WB.R = rotation_z(-0.006 * kDt * k);
+    turning.truth.X_WB.R = rotation_z(-0.01 * kDt * k);
     for (HandMadeWalk* walk : {&slow, &turning, &resting}) walk->tick();
   }
   EXPECT_FALSE(slow.referee.stuck());
