@@ -92,7 +92,8 @@ TEST(PlantSetup, EveryNumberIsWithinItsRangeByDefaultAndAtItsEnds) {
 TEST(PlantSetup, IsThatOfTheWalk) {
   const RobotModel argos = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
   const RobotParams params = params_for(argos);
-  const auto hash_of = [&params](const RobotModel& robot, const char* plant, std::uint64_t seed = 1) {
+  const auto hash_of = [&params](const RobotModel& robot, const char* plant,
+                                 std::uint64_t seed = 1) {
     Simulation simulation;
     simulation.plant = parse_plant(plant);
     simulation.seed = seed;

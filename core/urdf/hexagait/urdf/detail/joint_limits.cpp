@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <hexagait/params/params_for.hpp>
 #include <hexagait/urdf/detail/feet.hpp>
 #include <hexagait/urdf/detail/joint_limits.hpp>
 #include <numbers>
@@ -8,7 +9,6 @@ namespace hexagait {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kGravity = 9.81;        // [m/s²]
 constexpr double kNoLimit = 1000.0;      // [rad]
 constexpr double kMostTurn = 4.0 * kPi;  // of a limit that is meant in radians
 constexpr double kAbsurd = 20.0, kUsualSpeed = 1.5, kUsualEffort = 0.5;  // of √(g/l), m g l
@@ -55,7 +55,8 @@ void settle_drives(const UrdfFile& file, const UrdfOptions& options, RobotTree& 
     for (const LinkModel& link : chain.links) mass += link.mass;
   for (SerialChain& chain : tree.chains) {
     const double length = length_of(chain, chain.foot->p_BF0);
-    const double speed = std::sqrt(kGravity / length), effort = mass * kGravity * length;
+    const double speed = std::sqrt(kStandardGravity / length),
+                 effort = mass * kStandardGravity * length;
     for (TreeJoint& joint : chain.joints) {
       const FileJoint& in_file = file.joint(joint.index);
       JointLimits& limits = joint.limits;
