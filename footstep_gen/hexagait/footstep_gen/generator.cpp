@@ -180,6 +180,8 @@ BaseAutoCommand base_auto(const RobotModel& model, const PathArc& arc, const Exe
     back = std::min(back, workspace_left(offset, -direction, radius));
     share = std::min(share, workspace_left(offset, corrected, radius));
   }
+  // A base that goes on rolls a foot on an edge farther off it.
+  if (!(executor.giving_way() & support).empty()) ahead = 0.0;
   base.max_advance = ahead;
   base.min_advance = -back;
   base.correction = {

@@ -278,6 +278,22 @@ TEST(BaseCommand, GivesALostMarginBack) {
   }
 }
 
+TEST(BaseCommand, WaitsWhileAFootholdGivesWay) {
+  Stance stance;
+  stance.state.slide_O = LegArray<Vector3>(6, Vector3::Zero());
+  const auto ahead = [&] {  // as far as foot 1 lets it
+    stance.executor.sense(stance.state, 0.002);
+    return base_auto(stance.robot, stance.arc(Heading::straight(0.0)), stance.executor,
+                     stance.state.X_OB, {}, {})
+        .max_advance;
+  };
+  EXPECT_GT(ahead(), 0.1);
+  stance.state.slide_O[1].z() -= 0.003;
+  EXPECT_EQ(ahead(), 0.0);
+  for (int k = 0; k < 100; ++k) ahead();
+  EXPECT_GT(ahead(), 0.1);
+}
+
 // The pose adaptation: feet ahead by d ask for an advance by d, feet low by h for a body lower by h
 // (the footprints follow the body).
 TEST(BaseCommand, AsksForTheBodyToBeOverItsFeet) {

@@ -63,7 +63,8 @@ Parameters parameters(const footstep_gen::StepParams& params) {
 Parameters parameters(const SwingParams& params) {
   const auto& [unload, load, even_load, lift, clearance, transfer, max_speed, overlap, descent,
                touchdown, margin, search, acceleration, commit, back, up, blocked, retreat,
-               retreats, touch, confirm, lost, regain, reflexes, search_time, follow_rate] = params;
+               retreats, touch, confirm, lost, regain, slide_distance, slide_time, reflexes,
+               search_time, follow_rate] = params;
   return {{"unload_time_s", unload},
           {"load_time_s", load},
           {"even_load_rate_1_s", even_load},
@@ -87,6 +88,8 @@ Parameters parameters(const SwingParams& params) {
           {"confirm_time_s", confirm},
           {"lost_time_s", lost},
           {"regain_time_s", regain},
+          {"slide_distance_m", slide_distance},
+          {"slide_time_s", slide_time},
           {"reflexes", reflexes},
           {"search_time_s", search_time},
           {"follow_rate_1_s", follow_rate}};

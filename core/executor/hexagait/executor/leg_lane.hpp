@@ -73,6 +73,11 @@ struct SwingParams {
   double lost_time = 0.03;
   /// Time without contact after which a support leg moves down to regain it [s].
   double regain_time = 0.06;
+  /// A foothold gives way if the foot slides by more than this within about slide_time [m]: the legs
+  /// beside it stay down, and the base waits. Smaller: feet that only settle, and noise, count. Larger:
+  /// feet that roll off an edge are found too late.
+  double slide_distance = 0.002;
+  double slide_time = 0.1;  ///< [s]
   /// true (walking): a foot that collides retreats, and one that finds no ground tries a closer
   /// place. false (scripts): the foot searches along the surface normal, and the sequencer decides.
   bool reflexes = true;
