@@ -39,6 +39,8 @@ inline RobotParams round_params() {
   p.swing.confirm_time = 0.02;
   p.swing.lost_time = 0.03;
   p.swing.regain_time = 0.06;
+  p.swing.slide_distance = 0.002;
+  p.swing.slide_time = 0.1;
   p.swing.search_time = 1.5;
   p.swing.follow_rate = 10.0;
   p.swing.effort_time = 0.1;

@@ -84,12 +84,13 @@ double stability_left(const Stance& stance, double margin, double sense) {
   return std::max(0.0, left);
 }
 
-// Displacement in the body frame that brings a centre of mass from outside back to the edge [m].
-Vector2 back_over_the_feet(const Stance& stance, const Matrix3& R_OB) {
+// Displacement in the body frame that gives a centre of mass its margin back, where it has lost it:
+// braking, or because the feet under it are others now [m].
+Vector2 back_over_the_feet(const Stance& stance, const Matrix3& R_OB, double margin) {
   Vector2 back = Vector2::Zero();
   if (!stance.has_inside()) return back;
   for (const Edge& edge : stance.edges)
-    if (edge.distance < 0.0) back -= edge.distance * edge.inwards;
+    if (edge.distance < margin) back += (margin - edge.distance) * edge.inwards;
   return R_OB.topLeftCorner<2, 2>().transpose() * back;
 }
 
@@ -183,10 +184,13 @@ BaseAutoCommand base_auto(const RobotModel& model, const PathArc& arc, const Exe
     back = std::min(back, workspace_left(offset, -direction, radius));
     share = std::min(share, workspace_left(offset, corrected, radius));
   }
+  // A base that goes on rolls a foot on an edge farther off it.
+  if (!(executor.giving_way() & support).empty()) ahead = 0.0;
   base.max_advance = ahead;
   base.min_advance = -back;
-  base.correction = {share * correction.v + back_over_the_feet(stance, X_OB.R),
-                     share * correction.w};
+  base.correction = {
+      share * correction.v + back_over_the_feet(stance, X_OB.R, params.stability_margin),
+      share * correction.w};
   return base;
 }
 

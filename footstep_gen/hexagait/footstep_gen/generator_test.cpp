@@ -252,8 +252,8 @@ TEST(BaseCommand, SeesTheFeetAlongGravity) {
   }
 }
 
-// The body 5 cm behind the rear edge: back it goes, with all of it. At the edge no correction takes
-// it farther out, but along the edge and inwards it may go.
+// The body 5 cm behind the rear edge: back it goes, with all of it, to 3 cm inside. At the edge no
+// correction takes it farther out, but along the edge and inwards it may go.
 TEST(BaseCommand, BringsACentreOfMassFromOutsideBackOverTheFeet) {
   Stance stance;
   stance.lift({4, 5});
@@ -263,9 +263,38 @@ TEST(BaseCommand, BringsACentreOfMassFromOutsideBackOverTheFeet) {
                      stance.state.X_OB, {deviation, 0.0}, round_step())
         .correction.v;
   };
-  EXPECT_LT((corrected({0.0, 0.0}) - Vector2(0.05, 0.0)).norm(), 1e-9);
-  EXPECT_LT((corrected({-0.02, 0.01}) - Vector2(0.05, 0.01)).norm(), 1e-9);
-  EXPECT_LT((corrected({0.02, 0.01}) - Vector2(0.07, 0.01)).norm(), 1e-9);
+  EXPECT_LT((corrected({0.0, 0.0}) - Vector2(0.08, 0.0)).norm(), 1e-9);
+  EXPECT_LT((corrected({-0.02, 0.01}) - Vector2(0.08, 0.01)).norm(), 1e-9);
+  EXPECT_LT((corrected({0.02, 0.01}) - Vector2(0.10, 0.01)).norm(), 1e-9);
+}
+
+// 1 cm inside the rear edge it is moved by 2 cm, and with the margin or more, not at all.
+TEST(BaseCommand, GivesALostMarginBack) {
+  Stance stance;
+  stance.lift({4, 5});
+  for (const double inside : {0.01, 0.03, 0.05}) {
+    stance.robot.p_BM = {inside, 0.0, 0.0};
+    const Vector2 back = base_auto(stance.robot, stance.arc(Heading::straight(kPi / 2.0)),
+                                   stance.executor, stance.state.X_OB, {}, round_step())
+                             .correction.v;
+    EXPECT_LT((back - Vector2(std::max(0.0, 0.03 - inside), 0.0)).norm(), 1e-9) << inside;
+  }
+}
+
+TEST(BaseCommand, WaitsWhileAFootholdGivesWay) {
+  Stance stance;
+  stance.state.slide_O = LegArray<Vector3>(6, Vector3::Zero());
+  const auto ahead = [&] {  // as far as foot 1 lets it
+    stance.executor.sense(stance.state, 0.002);
+    return base_auto(stance.robot, stance.arc(Heading::straight(0.0)), stance.executor,
+                     stance.state.X_OB, {}, round_step())
+        .max_advance;
+  };
+  EXPECT_GT(ahead(), 0.1);
+  stance.state.slide_O[1].z() -= 0.003;
+  EXPECT_EQ(ahead(), 0.0);
+  for (int k = 0; k < 100; ++k) ahead();
+  EXPECT_GT(ahead(), 0.1);
 }
 
 // The pose adaptation: feet ahead by d ask for an advance by d, feet low by h for a body lower by h

@@ -21,6 +21,8 @@ void check_swing(Violations& violations, const SwingParams& p) {
       {"retreat_time [s]", p.retreat_time},
       {"blocked_error [m]", p.blocked_error},
       {"search_time [s]", p.search_time},
+      {"slide_distance [m]", p.slide_distance},
+      {"slide_time [s]", p.slide_time},
   };
   const NamedNumber not_negative[] = {
       {"even_load_rate [1/s]", p.even_load_rate}, {"clearance_share", p.clearance_share},

@@ -41,6 +41,7 @@ Executor::Executor(const RobotModel& model, const ExecutorParams& params)
       last_change_(model.num_legs(), LegJoints::Zero()),
       reachable_(model.num_legs(), true),
       lag_(model.num_legs(), params_.swing.lag_speed),
+      footholds_(model.num_legs()),
       off_(model.num_legs(), Vector3::Zero()),
       plans_(model.num_legs()),
       planned_effort_(model.num_legs(), LegJoints::Zero()) {
@@ -61,6 +62,7 @@ void Executor::reset(const RobotState& state, RestsOn rests_on) {
     lag_.restart(i, state.p_BF[i]);
     trig_[i] = state.trig[i];
   }
+  footholds_.watch(state.slide_O, {}, params_.swing.slide_time, params_.swing);
   targets_.q = state.q;
   X_OD_ = state.X_OB;
 }
@@ -106,6 +108,10 @@ void Executor::interrupt_base() noexcept {
 void Executor::sense(const RobotState& state, double dt) noexcept {
   for (LegId i = 0; i < legs_.size(); ++i)
     hexagait::sense(legs_[i], state.contact[i], dt, params_.swing);
+  LegSet stand;
+  for (LegId i = 0; i < legs_.size(); ++i)
+    stand.set(i, legs_[i].phase == LegPhase::support && legs_[i].believed);
+  footholds_.watch(state.slide_O, stand, dt, params_.swing);
   sensed_ = true;
 }
 
@@ -295,7 +301,8 @@ LegSet Executor::support() const noexcept {
 LegSet Executor::unsure() const noexcept {
   LegSet unsure;
   for (LegId i = 0; i < legs_.size(); ++i)
-    unsure.set(i, legs_[i].supports(params_.swing) && legs_[i].without_contact > 0.0);
+    unsure.set(i, legs_[i].supports(params_.swing) &&
+                      (legs_[i].without_contact > 0.0 || giving_way().contains(i)));
   return unsure;
 }
 

@@ -4,6 +4,7 @@
 
 #include <hexagait/balance/whole_body.hpp>
 #include <hexagait/executor/base_lane.hpp>
+#include <hexagait/executor/foothold_watch.hpp>
 #include <hexagait/executor/lag_watch.hpp>
 #include <hexagait/executor/leg_lane.hpp>
 #include <hexagait/params/params_for.hpp>
@@ -115,8 +116,10 @@ class Executor {
 
   /// Legs that count as standing.
   [[nodiscard]] LegSet support() const noexcept;
-  /// Those of them that feel nothing at this moment.
+  /// Those of them that feel nothing at this moment, or whose foothold gives way.
   [[nodiscard]] LegSet unsure() const noexcept;
+  /// Legs whose foothold gives way: the foot slides, or rolls off an edge.
+  [[nodiscard]] LegSet giving_way() const { return footholds_.giving_way(); }
   /// Weight of each foot in odometry, 0 … 1: the fraction of its load that it carries.
   [[nodiscard]] LegArray<double> footing() const noexcept;
   [[nodiscard]] PoseAdaptationInput pose_adaptation_input(const RobotState& state) const noexcept;
@@ -149,6 +152,7 @@ class Executor {
   LegArray<LegJoints> last_change_;  ///< of the joint targets in the last tick [rad]
   LegArray<bool> reachable_;
   LagWatch lag_;
+  FootholdWatch footholds_;
   bool sensed_ = false;    ///< in this tick
   LegArray<Vector3> off_;  ///< from the last set points to the measured feet [m]
   BaseLane base_;

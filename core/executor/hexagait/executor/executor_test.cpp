@@ -280,6 +280,20 @@ TEST(Executor, TellsOdometryHowFarToTrustEachFoot) {
   EXPECT_TRUE(scene.executor.support().contains(3)) << "not yet lost";
 }
 
+// Only of a foot that stands: one on its way may move as it likes.
+TEST(Executor, IsUnsureOfAFootholdThatGivesWay) {
+  const RobotModel model = argos();
+  Scene scene(model);
+  scene.state.slide_O = LegArray<Vector3>(6, Vector3::Zero());
+  scene.executor.command(FootstepCommand{2, scene.state.p_OF[2]}, scene.state);
+  for (int tick = 0; tick < 60; ++tick) scene.tick();
+  EXPECT_TRUE(scene.executor.unsure().empty());
+  for (const LegId i : {2, 3}) scene.state.slide_O[i].x() += 0.003;
+  scene.executor.sense(scene.state, kDt);
+  EXPECT_EQ(scene.executor.unsure(), LegSet(0b001000));
+  EXPECT_TRUE(scene.executor.support().contains(3)) << "it carries its load still";
+}
+
 // A foothold a metre away, and an apex of a metre: the set point ends where the leg does, is where
 // the joints are, and comes back at once when the next command is within reach.
 TEST(Executor, NeverWindsASetPointUpBeyondTheLegsReach) {

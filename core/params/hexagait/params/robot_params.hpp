@@ -90,6 +90,11 @@ struct SwingParams {
   double lost_time = kDerived;
   /// Time without contact after which a support leg moves down to regain it [s].
   double regain_time = kDerived;
+  /// A foothold gives way if the foot slides by more than this within about slide_time [m]: the legs
+  /// beside it stay down, and the base waits. Smaller: feet that only settle, and noise, count. Larger:
+  /// feet that roll off an edge are found too late.
+  double slide_distance = kDerived;
+  double slide_time = kDerived;  ///< [s]
   /// true (walking): a foot that collides retreats, and one that finds no ground tries a closer
   /// place. false (scripts): the foot searches along the surface normal, and the sequencer decides.
   bool reflexes = true;

@@ -161,7 +161,9 @@ void Odometry::reset(RobotState& state, RestsOn rests_on) {
   state.p_OF = LegArray<Vector3>(n);
   for (LegId i = 0; i < n; ++i) state.p_OF[i] = state.X_OB * state.p_BF[i];
   state.print_O = state.p_OF;
+  state.slide_O = LegArray<Vector3>(n, Vector3::Zero());
   anchor_O_ = state.p_OF;
+  off_anchor_O_ = LegArray<Vector3>(n, Vector3::Zero());
   q_before_ = state.q;
   trig_before_ = state.trig;
   p_before_ = state.p_BF;
@@ -213,7 +215,10 @@ void Odometry::update(RobotState& state, const LegArray<double>& footing, double
   // The foothold of a foot that still takes load, or slides, follows the foot.
   for (LegId i = 0; i < n; ++i) {
     state.p_OF[i] = X_OB * state.p_BF[i];
+    const Vector3 off = state.p_OF[i] - anchor_O_[i];
+    if (footing[i] > 0.0) state.slide_O[i] += off - off_anchor_O_[i];
     anchor_O_[i] = trust[i] * anchor_O_[i] + (1.0 - trust[i]) * state.p_OF[i];
+    off_anchor_O_[i] = state.p_OF[i] - anchor_O_[i];
     if (footing[i] > 0.0) state.print_O[i] = anchor_O_[i];
   }
   for (LegId i = 0; i < q_before_.size(); ++i) {

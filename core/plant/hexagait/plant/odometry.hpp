@@ -41,7 +41,7 @@ class Odometry {
   /// body frame.
   void reset(RobotState& state, RestsOn rests_on = RestsOn::feet);
 
-  /// Updates X_OB, V_B, p_OF and print_O from q, trig and p_BF.
+  /// Updates X_OB, V_B, p_OF, print_O and slide_O from q, trig and p_BF.
   /// @param footing  fraction of its load that each leg carries, 0 … 1; the footholds of legs below
   ///                 1 follow the feet as they settle
   /// @param dt       time since the previous update [s]
@@ -55,8 +55,9 @@ class Odometry {
 
   const RobotModel* model_;
   ToleranceParams tolerance_;
-  LegArray<Vector3> anchor_O_;    ///< footholds [m]
-  LegArray<LegJoints> q_before_;  ///< joints of the previous update [rad]
+  LegArray<Vector3> anchor_O_;      ///< footholds [m]
+  LegArray<Vector3> off_anchor_O_;  ///< from them to the feet [m]
+  LegArray<LegJoints> q_before_;    ///< joints of the previous update [rad]
   LegArray<LegTrig> trig_before_;
   LegArray<Vector3> p_before_, step_before_;  ///< feet in the body, and their last way [m]
   double noise2_ = 0.0;                       ///< σ² of (odometry 4) [m²]

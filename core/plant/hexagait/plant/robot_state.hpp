@@ -28,6 +28,9 @@ struct RobotState {
   Twist V_B;                  ///< base twist by odometry, body frame [m/s, rad/s]
   LegArray<Vector3> p_OF;     ///< feet in odom; of support legs, their footholds [m]
   LegArray<Vector3> print_O;  ///< last footprint of each foot, in odom [m]
+  /// What each foot has slid in all while it stood, in odom: the way of its centre less its rolling.
+  /// No legs: it is not known [m].
+  LegArray<Vector3> slide_O;
 };
 
 }  // namespace hexagait
