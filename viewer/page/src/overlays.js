@@ -71,8 +71,8 @@ export class Overlays {
     this.polygonFill = this.flat(new BufferGeometry(), paint.overlay("polygon", 0.16), 3);
     this.polygonFill.geometry.setAttribute("position", new BufferAttribute(new Float32Array(3 * 3 * n), 3).setUsage(DynamicDrawUsage));
     this.polygonEdge = this.band(n + 2, paint.overlay("polygon", 0.9), 4);
-    this.marginLine = this.band(2, paint.overlay("com", 0.9), 5);
-    this.com = this.flat(new RingGeometry(0.013 * unit, 0.034 * unit, 32), paint.overlay("com", 0.95), 6);
+    this.marginLine = this.band(2, paint.overlay("com", 0.9), 20);
+    this.com = this.flat(new RingGeometry(0.013 * unit, 0.034 * unit, 32), paint.overlay("com", 0.95), 21);
     this.centre = this.flat(new RingGeometry(0.05 * unit, 0.075 * unit, 40), paint.overlay("path", 0.95), 5);
     this.centreDot = this.flat(new CircleGeometry(0.018 * unit, 20), paint.overlay("path", 0.95), 5);
     const ring = new RingGeometry(1.0 * this.radius, 1.6 * this.radius, 32);

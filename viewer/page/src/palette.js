@@ -11,8 +11,8 @@ const kLight = {
   polygon: "#0072b2", com: "#1b1f23", path: "#cc79a7", text: "#1b1f23", faint: "#5c6670", line: "#cfd6dc",
 };
 const kDark = {
-  sky: "#14181d", groundLow: "#2a3037", groundHigh: "#59626c", body: "#e4e8ec", limb: "#aab4be", shin: "#76828e",
-  joint: "#353e47", accent: "#e69f00", support: "#56b4e9", swing: "#e69f00", urgent: "#ff7a33", target: "#2bd3a2",
+  sky: "#14181d", groundLow: "#3a424b", groundHigh: "#77818c", body: "#e4e8ec", limb: "#aab4be", shin: "#93a0ad",
+  joint: "#55616d", accent: "#e69f00", support: "#56b4e9", swing: "#e69f00", urgent: "#ff7a33", target: "#2bd3a2",
   polygon: "#56b4e9", com: "#ffffff", path: "#dd96bd", text: "#e8ecf0", faint: "#9aa5b0", line: "#39424c",
 };
 
@@ -35,7 +35,8 @@ export class Paint {
   colour(name) { return this.colours[name]; }
 
   solid(name) {
-    const options = { color: this.colours[name] };
+    // In the transparent pass, so that the robot is drawn after what lies on the ground, and over it.
+    const options = { color: this.colours[name], transparent: true };
     this.solids[name] ??= this.plain
       ? new MeshLambertMaterial(options)
       : new MeshStandardMaterial({ ...options, roughness: 0.55, metalness: name === "joint" ? 0.5 : 0.08 });

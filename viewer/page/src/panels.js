@@ -6,7 +6,7 @@ import { kFaults } from "./frame.js";
 
 const $ = (id) => document.getElementById(id);
 const kTypeWords = {
-  A: "one leg has priority", B: "two legs, one neighbour between", C: "two legs, opposite", D: "three legs: the tripod gait",
+  A: "one leg first", B: "two, one neighbour apart", C: "two, opposite", D: "three legs: tripod",
   "–": "",
 };
 
@@ -103,10 +103,11 @@ export class Panels {
       if ($(id).getAttribute("aria-pressed") !== text) $(id).setAttribute("aria-pressed", text);
     }
     $("gait-type").textContent = frame.type === "–" ? "–" : `Type ${frame.type}`;
-    $("gait-words").textContent = `CCN ${frame.ccn}${kTypeWords[frame.type] ? ", " + kTypeWords[frame.type] : ""}`;
+    $("gait-words").textContent = `CCN ${frame.ccn} before adjustment${kTypeWords[frame.type] ? "; " + kTypeWords[frame.type] : ""}`;
     const spin = frame.rho < 1e-6;
-    const where = spin ? "turns on the spot" : `r ${Math.abs(frame.k) < 1e-4 ? "∞" : (frame.rho / frame.k).toFixed(2) + " m"}, α ${((frame.crab * 180) / Math.PI).toFixed(0)}°`;
-    $("twist").textContent = `${where}  ·  vx ${frame.vx.toFixed(2)}  vy ${frame.vy.toFixed(2)} m/s  ωz ${frame.wz.toFixed(2)} rad/s`;
+    const where = spin ? "turns on the spot" : `radius ${Math.abs(frame.k) < 1e-4 ? "∞" : (frame.rho / frame.k).toFixed(2) + " m"}, crab ${((frame.crab * 180) / Math.PI).toFixed(0)}°`;
+    $("heading").textContent = where;
+    $("twist").textContent = `vx ${frame.vx.toFixed(2)}  vy ${frame.vy.toFixed(2)} m/s  ωz ${frame.wz.toFixed(2)} rad/s`;
     const text = `${frame.time.toFixed(1)} s, ${frame.path.toFixed(2)} m, ${frame.factor.toFixed(2)} × real time, ${world.fps.toFixed(0)} fps`;
     if (this.shownFacts !== text) $("world").title = this.shownFacts = text;
   }

@@ -3,12 +3,13 @@
 //
 // The robot as three sees it: the shapes of its links, moved by base pose and joint angles.
 import {
-  BoxGeometry, Color, ConeGeometry, CylinderGeometry, Group, Matrix4, Mesh, Quaternion, SphereGeometry, Vector3,
+  BoxGeometry, ConeGeometry, CylinderGeometry, Group, Matrix4, Mesh, Quaternion, SphereGeometry, Vector3,
 } from "three";
 import { RoundedBoxGeometry } from "three/examples/jsm/geometries/RoundedBoxGeometry.js";
 import { has } from "./frame.js";
 
 const kZ = new Vector3(0, 0, 1);
+const kOrder = 10;  // of drawing: after what lies on the ground, before what is always seen
 const pose = ({ p, q }) => new Matrix4().compose(new Vector3(...p), new Quaternion(...q), new Vector3(1, 1, 1));
 
 function geometry(shape) {
@@ -40,6 +41,7 @@ export class Robot {
     this.group.add(body);
     this.addFront(scene.base);
     this.legs.forEach((leg, i) => this.addLeg(leg, i, scene.foot_radius));
+    this.group.traverse((object) => (object.renderOrder = kOrder));
   }
 
   shape(shape, colour) {

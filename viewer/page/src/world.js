@@ -61,7 +61,7 @@ export class World {
     this.paint.refresh();
     this.scene.background = this.paint.colour("sky");
     this.scene.fog = new Fog(this.paint.colour("sky"), 5, 11);
-    this.sky.intensity = this.paint.dark ? 1.1 : 1.6;
+    this.sky.intensity = this.paint.dark ? 1.5 : 1.6;
     this.sun.intensity = this.paint.dark ? 1.9 : 2.0;
   }
 

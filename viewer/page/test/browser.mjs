@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A server of `hexagait steer`, and pages of it in Chromium.
+import { spawn } from "node:child_process";
+import { once } from "node:events";
+import { chromium } from "playwright-core";
+
+export async function startServer(...options) {
+  const child = spawn(process.env.HEXAGAIT, ["steer", "--quiet", ...options], { stdio: ["ignore", "pipe", "inherit"] });
+  const [line] = await once(child.stdout, "data");
+  const url = String(line).trim();
+  return {
+    url, port: new URL(url).port,
+    async stop() {
+      if (child.exitCode !== null) return;
+      child.kill("SIGINT");
+      await once(child, "exit");
+    },
+  };
+}
+
+export const startBrowser = () =>
+  chromium.launch({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+  });
+
+/** A page that shows a walking robot. Whatever goes wrong in it is in `problems`. */
+export async function openPage(browser, url, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, ...options });
+  const page = await context.newPage();
+  page.problems = [];
+  page.on("pageerror", (error) => page.problems.push(error.message));
+  page.on("console", (message) => message.type() === "error" && page.problems.push(message.text()));
+  page.on("request", (request) => new URL(request.url()).host === new URL(url).host || page.problems.push(`asks ${request.url()}`));
+  const begin = Date.now();
+  await page.goto(url);
+  await page.waitForFunction(() => window.hexagait?.view().drawn > 0, null, { timeout: 15000 });
+  page.drawnAfter = Date.now() - begin;
+  return page;
+}
+
+export const frameOf = (page) => page.evaluate(() => window.hexagait.frame());
+
+/** Waits until a function of the frame, and of `argument`, is true. */
+export const until = (page, condition, argument) =>
+  page.waitForFunction(`(${condition})(window.hexagait.frame(), ${JSON.stringify(argument)})`, null, { timeout: 8000 });
