@@ -14,7 +14,7 @@ namespace {
 constexpr double kSettle = 0.3;       // time to come to rest on the feet [s]
 constexpr double kSmoothing = 0.4;    // time constant of speed and power as shown [s]
 constexpr double kPushTime = 0.2;     // [s]
-constexpr double kPushSpeed = 0.4;    // [m/s]
+constexpr double kPushSpeed = 1.5;    // [m/s]
 
 sim3d::WorldParams world_params_at(const recording::Simulation& simulation,
                                    const PlanarPose& start) {

@@ -35,7 +35,7 @@ class SteeredWalk {
   /// One control period. Once the robot has fallen, or a fault has stopped it, it only lies there.
   void tick(const heading_control::HeadingCommand& command);
 
-  /// Pushes the body for 0.2 s, so that a free body of the robot's mass would be moved by 0.4 m/s.
+  /// Pushes the body for 0.2 s, so that a free body of the robot's mass would get 1.5 m/s.
   /// @param angle  from the body's x [rad]
   void push(double angle);
 

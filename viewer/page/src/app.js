@@ -24,13 +24,14 @@ class App {
     this.panels = new Panels(this.link, this.steering);
     this.colours = chartColours();
     this.world.onScheme(() => { this.colours = chartColours(); this.build(); });
-    this.link.on("scene", (scene) => { this.scene = scene; this.build(); this.panels.showScene(scene); });
+    this.link.on("scene", (scene) => { this.scene = scene; this.frame = null; this.begun = true; this.build(); this.panels.showScene(scene); });
     this.link.on("ground", (told) => { this.told = told; this.buildGround(); });
     this.link.on("error", ({ what }) => this.panels.notice(what));
     this.link.on("closed", () => this.panels.showState("not connected", "bad"));
     this.link.on("frame", (frame) => this.take(frame));
     this.addPointer();
-    this.drawn = 0;
+    this.drawn = this.panelsDrawn = 0;
+    document.body.classList.toggle("plain", this.world.software);
     requestAnimationFrame(() => this.draw());
   }
 
@@ -50,7 +51,7 @@ class App {
       new Strip($("strip-slip"), { title: "slip of a foot", unit: "cm/s", digits: 1, bounds: [0, 5], warn: 10, below: false }),
       new Strip($("strip-cost"), { title: "cost of transport", unit: "", digits: 2, bounds: [0, 1] }),
     ];
-    this.world.view.distance = 3.4 * Math.max(0.25, this.overlays.size);
+    if (this.sized !== this.overlays.size) this.world.stepBack(this.sized = this.overlays.size);
     this.buildGround();
   }
 
@@ -65,7 +66,8 @@ class App {
     if (!this.scene || frame.scene !== this.scene.scene) return;
     this.frame = frame;
     this.resume(frame);
-    if (!this.link.holds) this.steering.follow(frame);
+    if (!this.link.holds || this.begun) this.steering.follow(frame);
+    this.begun = false;
     this.diagram.take(frame);
     const speed = Math.hypot(frame.vx, frame.vy);
     this.strips[0].take(frame.time, speed);
@@ -139,13 +141,14 @@ class App {
       this.robot.move(this.frame);
       this.overlays.update(this.frame);
       this.world.follow(this.frame.p, this.drawn === 0 ? 1 : 0.08);
-      if (this.drawn % (this.world.software ? 4 : 2) === 0) this.drawPanels();
+      if (performance.now() - this.panelsDrawn > (this.world.software ? 140 : 40)) this.drawPanels();
       this.drawn += 1;
     }
     this.world.draw();
   }
 
   drawPanels() {
+    this.panelsDrawn = performance.now();
     const frame = this.frame;
     this.diagram.draw(this.colours);
     drawRing($("ring"), frame, this.names, this.colours);
@@ -162,7 +165,7 @@ try {
     frame: () => app.frame,
     scene: () => app.scene,
     feet: () => { app.robot.move(app.frame); return { frame: app.frame, drawn: app.robot.footPositions() }; },
-    you: () => app.link.you,
+    app, you: () => app.link.you,
     view: () => ({ drawn: app.drawn, frames: app.link.frames, fps: app.world.fps, level: app.world.level, software: app.world.software }),
     send: (command) => app.link.send(command),
     camera: (view) => Object.assign(app.world.view, view),

@@ -16,11 +16,14 @@ class Faces {
     this.positions = [];
     this.normals = [];
     this.colours = [];
+    this.index = [];
   }
   /** A quadrilateral of corners a b c d, counter-clockwise as seen from its front. */
   add(corners, normal, colour) {
-    for (const k of [0, 1, 2, 0, 2, 3]) {
-      this.positions.push(...corners[k]);
+    const first = this.positions.length / 3;
+    this.index.push(first, first + 1, first + 2, first, first + 2, first + 3);
+    for (const corner of corners) {
+      this.positions.push(...corner);
       this.normals.push(...normal);
       this.colours.push(colour.r, colour.g, colour.b);
     }
@@ -30,6 +33,7 @@ class Faces {
     geometry.setAttribute("position", new BufferAttribute(new Float32Array(this.positions), 3));
     geometry.setAttribute("normal", new BufferAttribute(new Float32Array(this.normals), 3));
     geometry.setAttribute("color", new BufferAttribute(new Float32Array(this.colours), 3));
+    geometry.setIndex(this.index);
     return geometry;
   }
 }
@@ -59,17 +63,17 @@ export class Ground {
         colour.copy(low).lerp(high, share).multiplyScalar(0.96 + 0.06 * speck(i, j) + ((i + j) & 1 ? 0.025 : 0));
         const x0 = i * cell + half, x1 = (i + 1) * cell - half, y0 = j * cell + half, y1 = (j + 1) * cell - half;
         faces.add([[x0, y0, z], [x1, y0, z], [x1, y1, z], [x0, y1, z]], [0, 0, 1], colour);
-        if (highest === 0) continue;
+        if (highest === 0 && ramp === 0) continue;
         // To the neighbours behind in x and in y: a wall, or a ramp as wide as that between the tops.
         const zx = this.level(i + 1, j), zy = this.level(i, j + 1), zd = this.level(i + 1, j + 1);
         wall.copy(colour).multiplyScalar(0.8);
         const xe = x1 + ramp, ye = y1 + ramp;
         const slope = (dz) => { const l = Math.hypot(dz, ramp) || 1; return [-dz / l, ramp / l]; };
-        if (zx !== z) {
+        if (zx !== z || ramp > 0) {
           const [s, up] = slope(zx - z);
           faces.add([[x1, y0, z], [xe, y0, zx], [xe, y1, zx], [x1, y1, z]], [s, 0, up], wall);
         }
-        if (zy !== z) {
+        if (zy !== z || ramp > 0) {
           const [s, up] = slope(zy - z);
           faces.add([[x0, y1, z], [x1, y1, z], [x1, ye, zy], [x0, ye, zy]], [0, s, up], wall);
         }

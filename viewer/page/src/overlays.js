@@ -143,7 +143,7 @@ export class Overlays {
     const corners = frame.polygon, colour = frame.margin < 0 ? "urgent" : frame.margin < 0.03 ? "swing" : "polygon";
     for (const part of [this.polygonFill, this.polygonEdge.mesh]) part.material.color.copy(this.paint.colour(colour));
     const closed = corners.length > 1 ? [...corners, corners[0], corners[1]] : [];
-    this.polygonEdge.set(closed.map((p) => [...p, z]), 0.011 * this.size);
+    this.polygonEdge.set(closed.map((p) => [...p, z]), 0.015 * this.size);
     const fill = this.polygonFill.geometry, array = fill.attributes.position.array;
     for (let k = 1; k + 1 < corners.length; ++k)
       array.set([...corners[0], z, ...corners[k], z, ...corners[k + 1], z], 9 * (k - 1));
@@ -153,7 +153,7 @@ export class Overlays {
     this.com.position.set(frame.com[0], frame.com[1], z);
     const nearest = corners.length > 2 ? nearestOnEdge(corners, frame.com) : null;
     this.marginLine.mesh.visible = nearest !== null;
-    if (nearest) this.marginLine.set([[frame.com[0], frame.com[1], z], [...nearest, z]], 0.008 * this.size);
+    if (nearest) this.marginLine.set([[frame.com[0], frame.com[1], z], [...nearest, z]], 0.011 * this.size);
   }
 
   showFeet(frame) {

@@ -78,10 +78,13 @@ export class World {
     this.sun.castShadow = shadows;
     this.camera.aspect = width / height;
     // What panels cover is no place for the robot: the middle of the picture moves.
-    const [dx, dy] = width > 900 ? [0.1, 0.06] : [0, 0.14];
+    const [dx, dy] = width > 900 ? [0.0, 0.06] : [0, 0.3];
     this.camera.setViewOffset(width, height, dx * width * 0.5, dy * height * 0.5, width, height);
     this.camera.updateProjectionMatrix();
   }
+
+  /** As far away as a robot of this size needs, the more so on a narrow screen. */
+  stepBack(size) { this.view.distance = 3.4 * Math.max(0.25, size) * Math.max(1, 0.8 / this.camera.aspect); }
 
   /** Follows a point, softly. */
   follow(p, share) {

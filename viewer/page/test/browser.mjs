@@ -43,6 +43,10 @@ export async function openPage(browser, url, options = {}) {
 
 export const frameOf = (page) => page.evaluate(() => window.hexagait.frame());
 
-/** Waits until a function of the frame, and of `argument`, is true. */
-export const until = (page, condition, argument) =>
-  page.waitForFunction(`(${condition})(window.hexagait.frame(), ${JSON.stringify(argument)})`, null, { timeout: 8000 });
+/** Waits until a function of the frame, and of `argument`, is true. It is asked here: the page's policy
+ *  lets no text be run there. */
+export async function until(page, condition, argument) {
+  for (const end = Date.now() + 8000; Date.now() < end; await page.waitForTimeout(30))
+    if (condition(await frameOf(page), argument)) return;
+  throw new Error(`not within 8 s: ${condition}; the last frame: ${JSON.stringify({ ...(await frameOf(page)), legs: [] })}`);
+}
