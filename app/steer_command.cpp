@@ -37,6 +37,8 @@ double speed(const std::string& text) {
 
 viewer::SessionOptions options(const SteerArguments& arguments) {
   WalkArguments walk = arguments.walk;
+  if (walk.robot == kGenghis)
+    throw InvalidInput(fmt::format("--robot {} walks in a side view only; see hexagait walk", kGenghis));
   if (walk.seconds.empty()) walk.seconds = "1";  // it has no end; but the others want one
   viewer::SessionOptions result;
   result.robot = load_robot(walk.robot, walk.overrides, walk.quiet);

@@ -24,10 +24,8 @@ const files = [
   ["/icon.svg", "image/svg+xml", readFileSync(join(source, "icon.svg"))],
 ];
 
-const literal = (bytes) =>
-  (bytes.toString("latin1").match(/[^]{1,64}/g) ?? [])
-    .map((part) => '"' + [...part].map((c) => "\\" + c.charCodeAt(0).toString(8).padStart(3, "0")).join("") + '"')
-    .join("\n");
+// In lines of 32 numbers.
+const numbers = (bytes) => bytes.toString("hex").replace(/../g, (hex) => `${parseInt(hex, 16)},`).replace(/(\d+,){32}/g, "$&\n");
 
 const compressed = files.map(([path, type, content]) => [path, type, gzipSync(content, { level: 9 })]);
 writeFileSync(join(build, "page_files.cpp"), `// Made by build.mjs.
@@ -35,9 +33,12 @@ writeFileSync(join(build, "page_files.cpp"), `// Made by build.mjs.
 
 namespace hexagait::viewer {
 namespace {
-${compressed.map(([, , bytes], k) => `constexpr char kFile${k}[] =\n${literal(bytes)};`).join("\n")}
-constexpr PageFile kFiles[] = {
-${compressed.map(([path, type, bytes], k) => `    {"${path}", "${type}", {kFile${k}, ${bytes.length}}},`).join("\n")}
+${compressed.map(([, , bytes], k) => `constexpr unsigned char kFile${k}[] = {\n${numbers(bytes)}};`).join("\n")}
+std::string_view text(std::span<const unsigned char> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+const PageFile kFiles[] = {
+${compressed.map(([path, type], k) => `    {"${path}", "${type}", text(kFile${k})},`).join("\n")}
 };
 }  // namespace
 

@@ -261,6 +261,7 @@ describe("looks", () => {
     await phone.waitForTimeout(1000);
     await shot(phone, "phone");
     await phone.locator("#more").tap();
+    await phone.waitForTimeout(600);
     await shot(phone, "phone_panels");
     const wide = await phone.evaluate(() => document.documentElement.scrollWidth);
     assert.ok(wide <= 390, `${wide} px wide`);
