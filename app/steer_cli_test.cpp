@@ -38,7 +38,8 @@ TEST_F(Steer, RefusesAPortThatIsNone) {
   for (const char* const port : {"-1", "65536", "http", "80.5"}) {
     const Result result = run(std::string("steer --seconds 0.1 --port ") + port);
     EXPECT_EQ(result.status, 2);
-    EXPECT_THAT(result.err, testing::AnyOf(HasSubstr("--port"), HasSubstr("the page was not built")));
+    EXPECT_THAT(result.err,
+                testing::AnyOf(HasSubstr("--port"), HasSubstr("the page was not built")));
   }
 }
 #else

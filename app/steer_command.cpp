@@ -25,8 +25,8 @@ using viewer::SessionStatistics;
 int port(const std::string& text) {
   const auto number = parse_number<int>(text);
   if (number && 0 <= *number && *number <= 65535) return *number;
-  throw InvalidInput(
-      fmt::format("--port is '{}'; it must be a whole number from 0 (any that is free) to 65535", text));
+  throw InvalidInput(fmt::format(
+      "--port is '{}'; it must be a whole number from 0 (any that is free) to 65535", text));
 }
 
 double speed(const std::string& text) {
@@ -38,7 +38,8 @@ double speed(const std::string& text) {
 viewer::SessionOptions options(const SteerArguments& arguments) {
   WalkArguments walk = arguments.walk;
   if (walk.robot == kGenghis)
-    throw InvalidInput(fmt::format("--robot {} walks in a side view only; see hexagait walk", kGenghis));
+    throw InvalidInput(
+        fmt::format("--robot {} walks in a side view only; see hexagait walk", kGenghis));
   if (walk.seconds.empty()) walk.seconds = "1";  // it has no end; but the others want one
   viewer::SessionOptions result;
   result.robot = load_robot(walk.robot, walk.overrides, walk.quiet);
@@ -77,15 +78,10 @@ class End {
 
 std::string in_print(const SessionStatistics& s, bool json) {
   if (json)
-    return nlohmann::ordered_json{{"schema", 1},
-                                  {"seconds", s.seconds},
-                                  {"ticks", s.ticks},
-                                  {"frames", s.frames},
-                                  {"commands", s.commands},
-                                  {"worst_delay_ticks", s.worst_delay},
-                                  {"path_m", s.path},
-                                  {"fell", s.fell},
-                                  {"processor_s", s.processor}}
+    return nlohmann::ordered_json{
+               {"schema", 1},        {"seconds", s.seconds},   {"ticks", s.ticks},
+               {"frames", s.frames}, {"commands", s.commands}, {"worst_delay_ticks", s.worst_delay},
+               {"path_m", s.path},   {"fell", s.fell},         {"processor_s", s.processor}}
                .dump(2) +
            "\n";
   return fmt::format("{} {:.1f} s and {:.2f} m; {} frames, {} commands\n",
@@ -98,8 +94,7 @@ int serve(const SteerArguments& arguments, Session& session, double seconds) {
   if (!access.is_loopback()) access.token = viewer::make_token();
   viewer::Server server(std::move(access), session);
   print_out(fmt::format("{}\n", server.url()));
-  if (!arguments.walk.quiet)
-    fmt::print(stderr, "Open this address in a browser; Ctrl-C ends.\n");
+  if (!arguments.walk.quiet) fmt::print(stderr, "Open this address in a browser; Ctrl-C ends.\n");
   const End end(seconds);
   server.run(end.ended());
   return kOk;
@@ -113,9 +108,8 @@ void wait(double seconds) {
 }  // namespace
 
 int steer_command(const SteerArguments& arguments) {
-  const double seconds = arguments.walk.seconds.empty()
-                             ? std::numeric_limits<double>::infinity()
-                             : time_limit(arguments.walk.seconds);
+  const double seconds = arguments.walk.seconds.empty() ? std::numeric_limits<double>::infinity()
+                                                        : time_limit(arguments.walk.seconds);
   Session session(options(arguments));
   if (arguments.headless)
     wait(seconds);

@@ -25,7 +25,8 @@ bool is_sound(const ChangeGait& gait) {
   return gait.stepper.duty_factor >= 0.5 && gait.stepper.duty_factor < 1.0;
 }
 bool is_sound(const Restart& restart) {
-  return (!restart.terrain || (restart.terrain->height >= 0.0 && restart.terrain->height <= kMaxTerrain)) &&
+  return (!restart.terrain ||
+          (restart.terrain->height >= 0.0 && restart.terrain->height <= kMaxTerrain)) &&
          (!restart.robot || restart.robot->size() <= 64);
 }
 template <class Plain>
@@ -44,6 +45,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (error->what.empty()) std::abort();
     return 0;
   }
-  if (!std::visit([](const auto& one) { return is_sound(one); }, std::get<Command>(result))) std::abort();
+  if (!std::visit([](const auto& one) { return is_sound(one); }, std::get<Command>(result)))
+    std::abort();
   return 0;
 }

@@ -12,7 +12,8 @@ namespace {
 
 bool is_loopback_name(std::string_view name) {
   if (name == "localhost" || name == "::1" || name == "[::1]") return true;
-  return name.starts_with("127.") && name.find_first_not_of("0123456789.") == std::string_view::npos;
+  return name.starts_with("127.") &&
+         name.find_first_not_of("0123456789.") == std::string_view::npos;
 }
 
 }  // namespace

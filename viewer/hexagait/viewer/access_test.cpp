@@ -13,7 +13,8 @@ const Access kOpen{.bind = "192.0.2.7", .port = 8460, .token = "0123456789abcdef
 TEST(Access, KnowsLoopbackAddresses) {
   for (const char* const bind : {"127.0.0.1", "127.1.2.3", "localhost", "::1"})
     EXPECT_TRUE((Access{.bind = bind, .port = 1, .token = {}}.is_loopback())) << bind;
-  for (const char* const bind : {"0.0.0.0", "192.0.2.7", "::", "127.evil.example", "localhost.example"})
+  for (const char* const bind :
+       {"0.0.0.0", "192.0.2.7", "::", "127.evil.example", "localhost.example"})
     EXPECT_FALSE((Access{.bind = bind, .port = 1, .token = {}}.is_loopback())) << bind;
 }
 
@@ -21,17 +22,18 @@ TEST(Access, KnowsLoopbackAddresses) {
 TEST(Access, AnswersItsOwnHostsOnly) {
   for (const char* const host : {"127.0.0.1:8460", "localhost:8460", "[::1]:8460"})
     EXPECT_TRUE(is_our_host(kLocal, host)) << host;
-  for (const char* const host : {"", "evil.example:8460", "127.0.0.1", "127.0.0.1:8461", "127.0.0.1:84600",
-                                 "127.0.0.1.evil.example:8460", "localhost:8460.evil.example"})
+  for (const char* const host :
+       {"", "evil.example:8460", "127.0.0.1", "127.0.0.1:8461", "127.0.0.1:84600",
+        "127.0.0.1.evil.example:8460", "localhost:8460.evil.example"})
     EXPECT_FALSE(is_our_host(kLocal, host)) << host;
 }
 
 TEST(Access, IsSteeredByItsOwnPageOnly) {
   EXPECT_TRUE(is_our_origin(kLocal, "http://localhost:8460", "localhost:8460"));
   EXPECT_TRUE(is_our_origin(kLocal, "", "localhost:8460"));  // a program, no page
-  for (const char* const origin : {"http://evil.example", "https://localhost:8460", "null",
-                                   "http://localhost:8461", "http://localhost:8460.evil.example",
-                                   "http://127.0.0.1:8460"})
+  for (const char* const origin :
+       {"http://evil.example", "https://localhost:8460", "null", "http://localhost:8461",
+        "http://localhost:8460.evil.example", "http://127.0.0.1:8460"})
     EXPECT_FALSE(is_our_origin(kLocal, origin, "localhost:8460")) << origin;
   EXPECT_FALSE(is_our_origin(kLocal, "http://evil.example:8460", "evil.example:8460"));
 }

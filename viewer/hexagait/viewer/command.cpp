@@ -96,7 +96,8 @@ Command drive(const Message& m) {
     curvature = m.number("curvature", -1e3, 1e3);
   } else {
     const double radius = m.number("radius", -1e6, 1e6);
-    if (std::abs(radius) < 1e-3) m.refuse("radius", "it must be at least 1 mm; to turn on the spot, spin");
+    if (std::abs(radius) < 1e-3)
+      m.refuse("radius", "it must be at least 1 mm; to turn on the spot, spin");
     curvature = 1.0 / radius;
   }
   const Vector2 along = unit_vector(crab);

@@ -82,13 +82,15 @@ TEST(Command, RefusesWhatIsTooLong) {
 
 // Overlong, a lone continuation, a surrogate, above U+10FFFF, cut off; and a text that is right.
 TEST(Command, RefusesWhatIsNotUtf8) {
-  for (const char* const bytes : {"\xC0\xAF", "\x80", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xE2\x82", "\xFF"})
+  for (const char* const bytes :
+       {"\xC0\xAF", "\x80", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xE2\x82", "\xFF"})
     EXPECT_THAT(error_of(std::string(R"({"type":")") + bytes + "\"}"), HasSubstr("not UTF-8"));
   EXPECT_THAT(error_of("{\"type\":\"\xE2\x9F\xB2\"}"), HasSubstr("to ask for"));
 }
 
 TEST(Command, RefusesNumbersThatAreNone) {
-  for (const char* const number : {"NaN", "nan", "Infinity", "-Infinity", "1e999", "0x10", "1.", "+1"})
+  for (const char* const number :
+       {"NaN", "nan", "Infinity", "-Infinity", "1e999", "0x10", "1.", "+1"})
     EXPECT_THAT(error_of(std::string(R"({"type":"drive","radius":)") + number + "}"),
                 HasSubstr("not JSON"))
         << number;

@@ -51,11 +51,11 @@ struct PoseFrame {
   };
 
   std::uint8_t flags = 0;
-  std::uint8_t fault = 0;    ///< Fault
-  std::uint32_t scene = 0;   ///< number of the scene: of robot and ground
-  std::uint32_t tick = 0;    ///< control periods since the scene began
-  std::uint32_t holder = 0;  ///< client that holds the wheel; 0: none
-  double time = 0.0;         ///< [s]
+  std::uint8_t fault = 0;     ///< Fault
+  std::uint32_t scene = 0;    ///< number of the scene: of robot and ground
+  std::uint32_t tick = 0;     ///< control periods since the scene began
+  std::uint32_t holder = 0;   ///< client that holds the wheel; 0: none
+  double time = 0.0;          ///< [s]
   double speed_factor = 1.0;  ///< simulated seconds per second, as measured
   Pose X_WB;
   PlanarTwist velocity;  ///< of the base, smoothed, axes of the body [m/s, rad/s]
@@ -64,12 +64,12 @@ struct PoseFrame {
   bool moving = false;
   Vector2 centre = Vector2::Zero();  ///< turning centre [m]
 
-  double margin = 0.0;             ///< static stability margin [m]
-  Vector3 com = Vector3::Zero();   ///< centre of mass [m]
-  double lateral = 0.0;            ///< distance from the commanded curve, > 0 to its left [m]
-  double path = 0.0;               ///< way of the base since the scene began [m]
-  double slip_speed = 0.0;         ///< largest of the feet in contact [m/s]
-  double power = 0.0;              ///< mechanical, sum over the joints of |τ q̇|, smoothed [W]
+  double margin = 0.0;            ///< static stability margin [m]
+  Vector3 com = Vector3::Zero();  ///< centre of mass [m]
+  double lateral = 0.0;           ///< distance from the commanded curve, > 0 to its left [m]
+  double path = 0.0;              ///< way of the base since the scene began [m]
+  double slip_speed = 0.0;        ///< largest of the feet in contact [m/s]
+  double power = 0.0;             ///< mechanical, sum over the joints of |τ q̇|, smoothed [W]
 
   std::uint16_t raw = 0, state = 0;  ///< gait_state::GaitState::bits
   std::uint8_t ccn = 0, type = 0;

@@ -40,14 +40,12 @@ Json json(const LinkModel& link) {
 Json json(const LegModel& leg) {
   Json joints = Json::array();
   for (int k = 0; k < leg.num_joints(); ++k)
-    joints.push_back(
-        {{"axis", json(leg.axis_B0[k])}, {"point", json(leg.p_BJ0[k])}, {"link", json(leg.links[k])}});
-  return {{"name", short_leg_name(leg.name)},
-          {"centre", json(leg.p_BC)},
-          {"radius", leg.workspace_radius},
-          {"hip", json(leg.X_BH.p)},
-          {"foot", json(leg.p_BF0)},
-          {"joints", joints}};
+    joints.push_back({{"axis", json(leg.axis_B0[k])},
+                      {"point", json(leg.p_BJ0[k])},
+                      {"link", json(leg.links[k])}});
+  return {{"name", short_leg_name(leg.name)}, {"centre", json(leg.p_BC)},
+          {"radius", leg.workspace_radius},   {"hip", json(leg.X_BH.p)},
+          {"foot", json(leg.p_BF0)},          {"joints", joints}};
 }
 
 Json terrains() {

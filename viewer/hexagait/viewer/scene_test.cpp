@@ -15,7 +15,9 @@ using nlohmann::json;
 
 RobotModel argos() { return load_urdf(HEXAGAIT_ROBOTS "/argos.urdf"); }
 
-Vector3 vector(const json& v) { return {v[0].get<double>(), v[1].get<double>(), v[2].get<double>()}; }
+Vector3 vector(const json& v) {
+  return {v[0].get<double>(), v[1].get<double>(), v[2].get<double>()};
+}
 
 json scene_of(const RobotModel& robot) {
   const sim3d::Terrain terrain(sim3d::parse_terrain("boxes:0.1"), 1);

@@ -14,8 +14,8 @@
 namespace hexagait::viewer {
 namespace {
 
-constexpr std::size_t kChunk = 16384;        // of a file [bytes]
-constexpr std::size_t kMostTransfers = 64;   // of files at once
+constexpr std::size_t kChunk = 16384;       // of a file [bytes]
+constexpr std::size_t kMostTransfers = 64;  // of files at once
 constexpr const char* kPolicy =
     "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src 'self' "
     "data:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
@@ -90,8 +90,7 @@ class Server::Impl {
     info.iface = access_.bind.c_str();
     info.protocols = protocols_.data();
     info.options = LWS_SERVER_OPTION_FAIL_UPON_UNABLE_TO_BIND;
-    if (access_.bind.find(':') == std::string::npos)
-      info.options |= LWS_SERVER_OPTION_DISABLE_IPV6;
+    if (access_.bind.find(':') == std::string::npos) info.options |= LWS_SERVER_OPTION_DISABLE_IPV6;
     info.retry_and_idle_policy = &keep_alive_;
     lws_vhost* const host = lws_create_vhost(context_.get(), &info);
     if (host == nullptr)
@@ -144,7 +143,8 @@ class Server::Impl {
   }
 
   int request(lws* socket, std::string_view path) {
-    if (!is_our_host(access_, header(socket, WSI_TOKEN_HOST)) || lws_hdr_total_length(socket, WSI_TOKEN_GET_URI) <= 0)
+    if (!is_our_host(access_, header(socket, WSI_TOKEN_HOST)) ||
+        lws_hdr_total_length(socket, WSI_TOKEN_GET_URI) <= 0)
       return refuse(socket, HTTP_STATUS_FORBIDDEN);
     if (path == "/") path = "/index.html";
     const auto files = page_files();

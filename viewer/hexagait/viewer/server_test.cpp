@@ -180,8 +180,9 @@ TEST_F(Served, IsSteeredByMessages) {
 }
 
 TEST_F(Served, RefusesForeignPagesAndForeignNames) {
-  const std::string origins[] = {"http://evil.example", "http://evil.example:" + std::to_string(server_.port()),
-                                 "null", "https://" + host()};
+  const std::string origins[] = {"http://evil.example",
+                                 "http://evil.example:" + std::to_string(server_.port()), "null",
+                                 "https://" + host()};
   for (const std::string& origin : origins) {
     Socket socket(server_.port());
     EXPECT_THAT(upgrade(socket, host(), "Origin: " + origin + "\r\n"), Not(StartsWith(kWelcome)))

@@ -85,7 +85,8 @@ std::string Session::receive(ClientId client, std::string_view message) {
 }
 
 std::string Session::accept(ClientId client, Command command) {
-  if (const auto* restart = std::get_if<Restart>(&command); restart != nullptr && restart->robot &&
+  if (const auto* restart = std::get_if<Restart>(&command);
+      restart != nullptr && restart->robot &&
       std::ranges::find(began_.robots, *restart->robot) == began_.robots.end())
     return error_json(fmt::format("there is no robot \"{}\"", *restart->robot));
 

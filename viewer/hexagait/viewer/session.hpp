@@ -23,8 +23,8 @@ struct SessionOptions {
   RobotModel robot;
   recording::Simulation simulation;
   heading_control::Heading heading = heading_control::Heading::stop();  ///< until a client steers
-  double speed_factor = 1.0;  ///< simulated seconds per second
-  double frame_rate = 60.0;   ///< pose frames per second, at most [1/s]
+  double speed_factor = 1.0;        ///< simulated seconds per second
+  double frame_rate = 60.0;         ///< pose frames per second, at most [1/s]
   std::vector<std::string> robots;  ///< names that a client may ask for
   std::function<RobotModel(const std::string& name)> load;  ///< of these names
 };

@@ -86,14 +86,16 @@ TEST(Session, StopsWhenItsHolderFallsSilent) {
   EXPECT_THAT(session.receive(client, R"({"type":"drive","curvature":0})"), IsEmpty());
   const auto begin = Clock::now();
   frame_when(session, [](const PoseFrame& f) { return f.moving && f.holder != 0; });
-  frame_when(session, [](const PoseFrame& f) { return (f.flags & PoseFrame::silent) && !f.moving; });
+  frame_when(session,
+             [](const PoseFrame& f) { return (f.flags & PoseFrame::silent) && !f.moving; });
   EXPECT_GE(Clock::now() - begin, milliseconds(450));
   // A sign of life does not move it; a command does.
   EXPECT_THAT(session.receive(client, R"({"type":"beat"})"), IsEmpty());
   std::this_thread::sleep_for(milliseconds(100));
   EXPECT_FALSE(newest(session).moving);
   EXPECT_THAT(session.receive(client, R"({"type":"drive","curvature":0})"), IsEmpty());
-  frame_when(session, [](const PoseFrame& f) { return f.moving && !(f.flags & PoseFrame::silent); });
+  frame_when(session,
+             [](const PoseFrame& f) { return f.moving && !(f.flags & PoseFrame::silent); });
 }
 
 TEST(Session, GoesOnWhileItsHolderIsAlive) {
@@ -119,7 +121,10 @@ TEST(Session, StopsWhenItsHolderLeaves) {
 TEST(Session, RefusedMessagesChangeNothing) {
   Session session(options());
   const ClientId client = session.enter();
-  const std::string bad[] = {R"({"type":"drive","radius":NaN})", "\xFF", "{}", std::string(5000, 'x'),
+  const std::string bad[] = {R"({"type":"drive","radius":NaN})",
+                             "\xFF",
+                             "{}",
+                             std::string(5000, 'x'),
                              R"({"type":"restart","robot":"../../etc/passwd"})",
                              R"({"type":"speed","factor":1e9})"};
   for (const std::string& message : bad)

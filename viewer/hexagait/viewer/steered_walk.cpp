@@ -11,10 +11,10 @@
 namespace hexagait::viewer {
 namespace {
 
-constexpr double kSettle = 0.3;       // time to come to rest on the feet [s]
-constexpr double kSmoothing = 0.4;    // time constant of speed and power as shown [s]
-constexpr double kPushTime = 0.2;     // [s]
-constexpr double kPushSpeed = 1.5;    // [m/s]
+constexpr double kSettle = 0.3;     // time to come to rest on the feet [s]
+constexpr double kSmoothing = 0.4;  // time constant of speed and power as shown [s]
+constexpr double kPushTime = 0.2;   // [s]
+constexpr double kPushSpeed = 1.5;  // [m/s]
 
 sim3d::WorldParams world_params_at(const recording::Simulation& simulation,
                                    const PlanarPose& start) {
@@ -101,7 +101,8 @@ void SteeredWalk::observe() {
   last_place_ = now;
   last_q_ = measurement_.q;
 
-  if (!fell_ && (truth.base_touches_ground || tilt(truth.X_WB) > walk::kFallTilt || !truth.finite)) {
+  if (!fell_ &&
+      (truth.base_touches_ground || tilt(truth.X_WB) > walk::kFallTilt || !truth.finite)) {
     fell_ = true;
     walker_.emergency_stop();
   }

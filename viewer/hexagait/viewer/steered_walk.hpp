@@ -12,9 +12,9 @@ namespace hexagait::viewer {
 
 /// Where a walk begins, and how the feet are displaced.
 struct WalkStart {
-  PlanarPose X_WB;          ///< on any ground: each foot begins at the height of the ground there
-  double spread = 0.0;      ///< feet are displaced by up to this [m]
-  std::uint64_t draw = 0;   ///< which displacement
+  PlanarPose X_WB;         ///< on any ground: each foot begins at the height of the ground there
+  double spread = 0.0;     ///< feet are displaced by up to this [m]
+  std::uint64_t draw = 0;  ///< which displacement
 };
 
 /// A robot in the simulator that is steered tick by tick: what recording::simulate() does, with a

@@ -91,7 +91,8 @@ TEST(SteeredWalk, ShowsNoTurningCentreWhereThereIsNone) {
 // With the legs displaced by up to 9 cm, anywhere on the ground, it stands and walks on.
 TEST(SteeredWalk, BeginsWithScrambledLegsOnRoughGround) {
   for (std::uint64_t draw = 1; draw <= 6; ++draw) {
-    const PlanarPose start{0.5 * static_cast<double>(draw), {2.0, -0.3 * static_cast<double>(draw)}};
+    const PlanarPose start{0.5 * static_cast<double>(draw),
+                           {2.0, -0.3 * static_cast<double>(draw)}};
     SteeredWalk walk(argos(), on("boxes:0.1"), {start, 0.09, draw});
     EXPECT_LT((walk.place().shift - start.shift).norm(), 0.05);
     run(walk, Heading::straight(0.0), 5.0);
