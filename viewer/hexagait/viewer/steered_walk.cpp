@@ -140,21 +140,26 @@ Vector3 SteeredWalk::centre_of_mass() const {
 
 PoseFrame SteeredWalk::frame() const {
   const footstep_gen::TickRecord& record = walker_.record();
-  const GroundTruth& truth = world_.truth();
   PoseFrame f;
   if (fell_) f.flags |= PoseFrame::fell;
   if (record.holding) f.flags |= PoseFrame::holding;
-  using gait_state::Stepping;
-  const Stepping stepping = walker_.params().stepper.stepping;
-  if (stepping == Stepping::wave) f.flags |= PoseFrame::wave;
-  if (stepping == Stepping::tripod) f.flags |= PoseFrame::tripod;
   f.fault = static_cast<std::uint8_t>(record.fault);
   f.tick = ticks_;
   f.time = ticks_ * control_dt();
-  f.X_WB = truth.X_WB;
+  f.X_WB = world_.truth().X_WB;
   f.velocity = velocity_;
+  f.com = centre_of_mass();
+  f.lateral = deviation_.lateral;
+  f.path = way_;
+  f.power = power_;
+  show_heading(f);
+  show_gait(f);
+  show_legs(f);
+  return f;
+}
 
-  const heading_control::Heading& heading = record.heading;
+void SteeredWalk::show_heading(PoseFrame& f) const {
+  const heading_control::Heading& heading = walker_.record().heading;
   f.rho = heading.rho();
   f.k = heading.k();
   f.crab = heading.crab_angle();
@@ -162,11 +167,14 @@ PoseFrame SteeredWalk::frame() const {
   const double r = f.rho / f.k;  // infinite when straight
   f.centre = place() * Vector2(r * perpendicular(unit_vector(f.crab)));
   if (!f.centre.allFinite()) f.centre.setConstant(std::numeric_limits<double>::quiet_NaN());
+}
 
-  f.com = centre_of_mass();
-  f.lateral = deviation_.lateral;
-  f.path = way_;
-  f.power = power_;
+void SteeredWalk::show_gait(PoseFrame& f) const {
+  using gait_state::Stepping;
+  const Stepping stepping = walker_.params().stepper.stepping;
+  if (stepping == Stepping::wave) f.flags |= PoseFrame::wave;
+  if (stepping == Stepping::tripod) f.flags |= PoseFrame::tripod;
+  const footstep_gen::TickRecord& record = walker_.record();
   f.raw = static_cast<std::uint16_t>(record.gait.raw.bits);
   f.state = static_cast<std::uint16_t>(record.gait.state.bits);
   f.ccn = static_cast<std::uint8_t>(record.gait.ccn_before_adjustment);
@@ -175,18 +183,21 @@ PoseFrame SteeredWalk::frame() const {
   f.may_step = record.gait.may_step;
   f.waits = record.waits;
   f.urgent = record.gait_input.urgent;
+}
 
-  const Pose X_WO = truth.X_WB * record.state.X_OB.inverse();
+void SteeredWalk::show_legs(PoseFrame& f) const {
+  const footstep_gen::TickRecord& record = walker_.record();
+  const Pose X_WO = f.X_WB * record.state.X_OB.inverse();  // as the robot believes to stand
   f.legs = LegArray<LegFrame>(robot_.num_legs());
   LegArray<Vector3> p_WF(robot_.num_legs());
   for (LegId i = 0; i < robot_.num_legs(); ++i) {
     LegFrame& leg = f.legs[i];
-    const FootTruth& foot = truth.feet[i];
+    const FootTruth& foot = world_.truth().feet[i];
     leg.p_WF = p_WF[i] = foot.p_WF;
     leg.force = foot.normal_force;
     leg.q = measurement_.q[i];
     leg.phase = static_cast<std::uint8_t>(record.legs[i].phase);
-    if (record.gait_input.lag.size() > i) leg.lag = record.gait_input.lag[i];
+    if (i < record.gait_input.lag.size()) leg.lag = record.gait_input.lag[i];
     if (!record.legs[i].on_ground()) leg.p_WT = X_WO * record.footsteps[i].p_OT;
     f.contact.set(i, foot.in_contact);
     f.support.set(i, record.legs[i].on_ground());
@@ -194,7 +205,6 @@ PoseFrame SteeredWalk::frame() const {
   }
   f.polygon = support_polygon(p_WF, f.contact);
   f.margin = stability_margin(f.polygon, f.com.head<2>());
-  return f;
 }
 
 }  // namespace hexagait::viewer

@@ -62,6 +62,9 @@ class SteeredWalk {
   void settle();
   void observe();
   [[nodiscard]] Vector3 centre_of_mass() const;
+  void show_heading(PoseFrame& frame) const;
+  void show_gait(PoseFrame& frame) const;
+  void show_legs(PoseFrame& frame) const;
 
   RobotModel robot_;
   recording::Simulation simulation_;
