@@ -165,9 +165,10 @@ try {
     frame: () => app.frame,
     scene: () => app.scene,
     feet: () => { app.robot.move(app.frame); return { frame: app.frame, drawn: app.robot.footPositions() }; },
-    app, you: () => app.link.you,
+    you: () => app.link.you,
     view: () => ({ drawn: app.drawn, frames: app.link.frames, fps: app.world.fps, level: app.world.level, software: app.world.software }),
     send: (command) => app.link.send(command),
+    quality: (level) => app.world.fix(level),
     camera: (view) => Object.assign(app.world.view, view),
   };
 } catch (error) {

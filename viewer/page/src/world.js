@@ -116,6 +116,13 @@ export class World {
     this.watchTime();
   }
 
+  /** A quality for a picture of the page: it stays so. */
+  fix(level) {
+    this.level = level;
+    this.fixed = true;
+    this.resize();
+  }
+
   /** Goes down a level when pictures take too long, and up when there is time; not to and fro. */
   watchTime() {
     const now = performance.now(), passed = now - (this.last ?? now);
@@ -123,7 +130,7 @@ export class World {
     this.frames += 1;
     if (passed <= 0 || passed > 400) return;
     this.interval += 0.05 * (passed - this.interval);
-    if (++this.settled < 45) return;
+    if (++this.settled < 45 || this.fixed) return;
     const down = this.interval > kSlow && this.level + 1 < kLevels.length;
     const up = this.interval < kFast && this.level > (this.software ? 2 : 0) && !this.wasTooMuch;
     if (!down && !up) return;

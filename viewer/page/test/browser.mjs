@@ -41,7 +41,14 @@ export async function openPage(browser, url, options = {}) {
   return page;
 }
 
-export const frameOf = (page) => page.evaluate(() => window.hexagait.frame());
+/** The newest frame; after a new scene there is none for a moment. */
+export async function frameOf(page) {
+  for (const end = Date.now() + 5000; Date.now() < end; await page.waitForTimeout(20)) {
+    const frame = await page.evaluate(() => window.hexagait.frame());
+    if (frame) return frame;
+  }
+  throw new Error("no frame within 5 s");
+}
 
 /** Waits until a function of the frame, and of `argument`, is true. It is asked here: the page's policy
  *  lets no text be run there. */

@@ -222,9 +222,9 @@ describe("who steers", () => {
     assert.match(await second.locator("#notice").textContent(), /another page/);
     assert.match(await second.locator("#state").textContent(), /another page/);
     await page.evaluate(() => window.hexagait.send({ type: "release" }));
-    await second.waitForFunction(() => window.hexagait.frame().holder === 0);
+    await until(second, (f) => f.holder === 0);
     await second.locator("#spin-left").click();
-    await second.waitForFunction(() => window.hexagait.frame().holder === window.hexagait.you());
+    await until(second, (f, you) => f.holder === you, await second.evaluate(() => window.hexagait.you()));
     await second.context().close();
     await until(page, (f) => f.holder === 0 && !f.moving);
   });
@@ -266,6 +266,18 @@ describe("looks", () => {
     const wide = await phone.evaluate(() => document.documentElement.scrollWidth);
     assert.ok(wide <= 390, `${wide} px wide`);
     await phone.context().close();
+  });
+  test("as well as a machine with a graphics card draws it", async () => {
+    const fine = await openPage(browser, server.url, { viewport: { width: 1200, height: 760 } });
+    await page.evaluate(() => window.hexagait.send({ type: "release" }));
+    await until(fine, (f) => f.holder === 0);
+    await fine.locator("#reset").click();
+    await fine.waitForTimeout(7000);
+    await fine.evaluate(() => { window.hexagait.quality(1); window.hexagait.camera({ azimuth: -2.0, elevation: 0.5, distance: 2.5 }); });
+    await fine.waitForTimeout(6000);
+    await shot(fine, "fine");
+    await fine.context().close();
+    await until(page, (f) => f.holder === 0);
   });
   test("everything that can be operated has a name and is reached by Tab", async () => {
     const nameless = await page.evaluate(() =>
