@@ -12,7 +12,7 @@ kComponents=(controller urdf actions verify sim sim2d sim3d walk statistics figu
 declare -A kForeign=(
   [urdf]='tinyxml2 assimp' [actions]='fmt yaml-cpp' [verify]=fmt [sim2d]=box2d [sim3d]=ode
   [walk]='fmt yaml-cpp' [figures]=fmt [recording]='fmt yaml-cpp box2d ode tinyxml2 assimp'
-  [viewer]='fmt yaml-cpp box2d ode tinyxml2 assimp libwebsockets'
+  [viewer]='fmt yaml-cpp box2d ode tinyxml2 assimp libwebsockets libcap'
   [sweeps]='fmt yaml-cpp box2d ode tinyxml2 assimp')
 
 # hide_but LIBRARY…: prints options that hide all foreign libraries but these from find_package, and
@@ -56,7 +56,7 @@ check_combinations() {
       [[ $sim2d == OFF ]] || libraries+=(box2d)
       [[ $sim3d == OFF ]] || libraries+=(ode)
       [[ $figures == OFF ]] || libraries+=(Boost nlohmann_json)
-      [[ $viewer == OFF ]] || libraries+=(libwebsockets)
+      [[ $viewer == OFF ]] || libraries+=(libwebsockets libcap)  # which libwebsockets.pc asks for
       mapfile -t hidden < <(hide_but "${libraries[@]}")
       rm -rf "$dir"
       configure "$dir" "${hidden[@]}" -DHEXAGAIT_URDF=$urdf -DHEXAGAIT_VERIFY=$urdf -DHEXAGAIT_MESHES=$meshes \

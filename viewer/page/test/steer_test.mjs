@@ -268,16 +268,13 @@ describe("looks", () => {
     await phone.context().close();
   });
   test("as well as a machine with a graphics card draws it", async () => {
+    await reset();
     const fine = await openPage(browser, server.url, { viewport: { width: 1200, height: 760 } });
-    await page.evaluate(() => window.hexagait.send({ type: "release" }));
-    await until(fine, (f) => f.holder === 0);
-    await fine.locator("#reset").click();
-    await fine.waitForTimeout(7000);
+    await fine.waitForTimeout(8000);
     await fine.evaluate(() => { window.hexagait.quality(1); window.hexagait.camera({ azimuth: -2.0, elevation: 0.5, distance: 2.5 }); });
     await fine.waitForTimeout(6000);
     await shot(fine, "fine");
     await fine.context().close();
-    await until(page, (f) => f.holder === 0);
   });
   test("everything that can be operated has a name and is reached by Tab", async () => {
     const nameless = await page.evaluate(() =>
