@@ -35,7 +35,7 @@ hexagait_switch(HEXAGAIT_SIM3D "Robots in three dimensions; needs ODE" ON)
 hexagait_switch(HEXAGAIT_FIGURES "Traces, figures and statistics of walks; needs Boost and nlohmann-json"
                 ON HEXAGAIT_ACTIONS HEXAGAIT_SIM2D HEXAGAIT_SIM3D)
 # Without libwebsockets this is off by itself: hexagait steer then says what it lacks.
-if(NOT DEFINED HEXAGAIT_VIEWER)
+if(HEXAGAIT_FIGURES AND NOT DEFINED HEXAGAIT_VIEWER)
   find_package(PkgConfig QUIET)
   if(PkgConfig_FOUND)
     pkg_check_modules(libwebsockets QUIET libwebsockets)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstring>
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/viewer/pose_frame.hpp>
 
@@ -115,6 +117,42 @@ TEST(PoseFrame, HasTheLengthThatItsLayoutSays) {
   const std::size_t motion = 4 + 12 + 8 + 4 + 28 + 12 + 16 + 8 + 16 + 16, gait = 4 + 2 + 12 + 1;
   EXPECT_EQ(encode(numbered(), LegArray<int>(kLegs, 3)).size(),
             motion + gait + 2 * 8 + kLegs * (34 + 3 * 4));
+}
+
+// encode() and decode() share one order; a page has its own. By the layout in the header.
+TEST(PoseFrame, HasItsNumbersWhereItsLayoutSays) {
+  const PoseFrame f = numbered();
+  const std::string bytes = encode(f, LegArray<int>(kLegs, 3));
+  const auto f32 = [&](std::size_t at) {
+    float value = 0.0F;
+    std::memcpy(&value, bytes.data() + at, sizeof value);
+    return static_cast<double>(value);
+  };
+  const auto u8 = [&](std::size_t at) { return static_cast<unsigned char>(bytes[at]); };
+  EXPECT_EQ(u8(2), f.flags);
+  EXPECT_EQ(u8(3), f.fault);
+  EXPECT_EQ(u8(4), f.scene);
+  EXPECT_EQ(u8(12), f.holder);
+  const double numbers[] = {f.speed_factor, f.X_WB.p.x(), f.X_WB.p.y(), f.X_WB.p.z()};
+  for (std::size_t k = 0; k < std::size(numbers); ++k) EXPECT_EQ(f32(24 + 4 * k), numbers[k]);
+  const double w = f32(52);  // of the quaternion, last: |rotation vector|² = 0.94
+  EXPECT_NEAR(2.0 * std::acos(w), std::sqrt(0.94), 1e-6);
+  const double more[] = {
+      f.velocity.v.x(), f.velocity.v.y(), f.velocity.w, f.rho,     f.k,       f.crab,    1.0,
+      f.centre.x(),     f.centre.y(),     f.margin,     f.com.x(), f.com.y(), f.com.z(), f.lateral,
+      f.path,           f.slip_speed,     f.power};
+  for (std::size_t k = 0; k < std::size(more); ++k) EXPECT_EQ(f32(56 + 4 * k), more[k]) << k;
+  const int gait[] = {0x01, 0x01, 0xA5, 0, f.ccn, f.type, 1, 0, 2, 0, 4, 0, 8, 0, 9, 0, 12, 0, 2};
+  for (std::size_t k = 0; k < std::size(gait); ++k) EXPECT_EQ(u8(124 + k), gait[k]) << k;
+  EXPECT_EQ(f32(143), f.polygon.vertices[0].x());
+  const std::size_t leg = 143 + 2 * 8 + (34 + 3 * 4);  // the second one
+  EXPECT_EQ(f32(leg), f.legs[1].p_WF.x());
+  EXPECT_EQ(f32(leg + 12), f.legs[1].p_WT.x());
+  EXPECT_EQ(f32(leg + 24), f.legs[1].force);
+  EXPECT_EQ(f32(leg + 28), f.legs[1].lag);
+  EXPECT_EQ(u8(leg + 32), f.legs[1].phase);
+  EXPECT_EQ(u8(leg + 33), 3);
+  EXPECT_EQ(f32(leg + 34), f.legs[1].q[0]);
 }
 
 TEST(PoseFrame, ThatIsCutOffOrTooLongIsRefused) {

@@ -101,6 +101,34 @@ TEST(SteeredWalk, BeginsWithScrambledLegsOnRoughGround) {
   }
 }
 
+TEST(SteeredWalk, BeginsWithEachFootAtTheHeightOfItsGround) {
+  const sim3d::Terrain terrain(sim3d::parse_terrain("boxes:0.1"), 1);
+  const WalkStart start{{0.7, {4.0, -3.0}}, 0.05, 2};
+  const LegArray<LegJoints> q = posture_on(terrain, argos(), start);
+  LegArray<double> above(argos().num_legs());
+  for (LegId i = 0; i < argos().num_legs(); ++i) {
+    const Vector3 p_BF = foot_position(argos().legs[i], q[i]);
+    const Vector2 p_W = start.X_WB * Vector2(p_BF.head<2>());
+    above[i] = p_BF.z() - terrain.height_at(p_W.x(), p_W.y());
+    EXPECT_NEAR(above[i], above[0], 1e-6);
+  }
+}
+
+// Odometry begins at 0 wherever the robot stands: a foothold that is shown in its frame is far away.
+TEST(SteeredWalk, ShowsFootholdsInTheWorld) {
+  SteeredWalk walk(argos(), on("flat"), {{2.0, {5.0, -3.0}}, 0.0, 0});
+  int seen = 0;
+  for (int k = 0; k < 20; ++k) {
+    run(walk, Heading::straight(0.0), 0.1);
+    for (const LegFrame& leg : walk.frame().legs) {
+      if (!leg.p_WT.allFinite()) continue;
+      EXPECT_LT((leg.p_WT - leg.p_WF).norm(), 0.5);
+      ++seen;
+    }
+  }
+  EXPECT_GT(seen, 10);
+}
+
 TEST(SteeredWalk, PushMovesTheBody) {
   SteeredWalk pushed(argos(), on("flat")), left(argos(), on("flat"));
   pushed.push(0.5 * std::numbers::pi);
