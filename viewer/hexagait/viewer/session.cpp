@@ -30,6 +30,14 @@ bool is_drive(const Command& command) {
   return std::holds_alternative<Drive>(command) || std::holds_alternative<DriveTwist>(command);
 }
 
+// Is an order out of date once this one has come right after it?
+bool is_replaced(const Command& order, const Command& next) {
+  if (is_drive(order)) return is_drive(next);
+  const bool begins_anew =
+      std::holds_alternative<Scramble>(order) || std::holds_alternative<Reset>(order);
+  return begins_anew && order.index() == next.index();
+}
+
 }  // namespace
 
 Session::Session(SessionOptions options) : options_(std::move(options)), began_(options_) {
@@ -96,8 +104,8 @@ std::string Session::accept(ClientId client, Command command) {
   if (!wheel_.take(client, Clock::now())) return error_json("another page holds the wheel");
   if (std::holds_alternative<Release>(command)) wheel_.release(client);
 
-  if (is_drive(command) && !inbox_.empty() && is_drive(inbox_.back().command)) {
-    inbox_.back().command = std::move(command);  // only the newest direction counts
+  if (!inbox_.empty() && is_replaced(inbox_.back().command, command)) {
+    inbox_.back().command = std::move(command);
   } else {
     if (inbox_.size() >= kMostOrders) return error_json("too many commands at once");
     inbox_.push_back({std::move(command), statistics_.ticks});

@@ -20,7 +20,7 @@ class App {
   constructor() {
     this.link = new Link();
     this.world = new World($("world"));
-    this.steering = new Steering((command) => this.link.send(command));
+    this.steering = new Steering((command) => { this.away = false; this.link.send(command); });
     this.panels = new Panels(this.link, this.steering);
     this.colours = chartColours();
     this.world.onScheme(() => { this.colours = chartColours(); this.build(); });
@@ -76,12 +76,12 @@ class App {
     if (speed > 0.03) this.strips[3].take(frame.time, frame.power / (this.scene.mass * 9.81 * speed));
   }
 
-  /** The robot was stopped because this page was silent: after a hiccup it goes on, after long it does not. */
+  /** The robot was stopped because this page was silent: after a hiccup it goes on; after long, or when the
+   *  page was out of sight, only when the person steers again. */
   resume(frame) {
-    const now = performance.now(), silence = now - (this.heard ?? now);
-    this.heard = now;
-    if (frame.silent && this.link.holds && silence < kHiccup && !document.hidden && !this.away) this.steering.again();
-    if (document.hidden) this.away = true;
+    if (this.link.silence > kHiccup || document.hidden) this.away = true;
+    const last = this.steering.last;
+    if (frame.silent && this.link.holds && !this.away && last && last.type !== "stop") this.link.send(last);
   }
 
   addPointer() {
@@ -159,7 +159,6 @@ class App {
 
 try {
   const app = new App();
-  addEventListener("visibilitychange", () => { if (!document.hidden) setTimeout(() => (app.away = false), 1000); });
   // For tests, and for who looks from the console.
   window.hexagait = {
     frame: () => app.frame,

@@ -15,9 +15,18 @@ export class Link extends EventTarget {
     this.frames = 0;
     this.retry = 200;
     this.connect();
-    setInterval(() => this.holds && this.send({ type: "beat" }), kBeat);
+    this.beaten = performance.now();
+    setInterval(() => this.beat(), kBeat);
     addEventListener("pagehide", () => this.holds && this.send({ type: "release" }));
   }
+
+  beat() {
+    this.beaten = performance.now();
+    if (this.holds) this.send({ type: "beat" });
+  }
+
+  /** Time since the last sign of life, or the last one that there was reason to give [ms]. */
+  get silence() { return performance.now() - this.beaten; }
 
   /** Does this page hold the wheel? */
   get holds() { return this.frame !== null && this.you !== 0 && this.frame.holder === this.you; }

@@ -197,11 +197,6 @@ export class Overlays {
     this.traceLines.geometry.attributes.position.needsUpdate = true;
   }
 
-  show(what, on) {
-    const parts = { workspaces: this.workspaces, arcs: this.arcs.map((band) => band.mesh) }[what];
-    for (const part of parts) part.layers.set(on ? 0 : 1);
-  }
-
   dispose() {
     this.group.traverse((object) => object.geometry?.dispose());
     this.group.removeFromParent();

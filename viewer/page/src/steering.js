@@ -42,7 +42,7 @@ export class Steering {
     this.drive = drive;
     this.curvature = 0;
     this.crab = 0;  // [°]
-    this.last = null;
+    this.last = null;  // command that was given
     this.find("wheel", "wheel-turn", "radius", "dial", "dial-turn");
     this.addTicks();
     let raw = 0;
@@ -113,7 +113,6 @@ export class Steering {
   go() { this.command({ type: "drive", curvature: this.curvature, crab: (this.crab * Math.PI) / 180 }); }
   stop() { this.command({ type: "stop" }); }
   spin(turn) { this.command({ type: "spin", turn }); }
-  again() { if (this.last && this.last.type !== "stop") this.drive(this.last); }
 
   command(command) {
     this.last = command;
