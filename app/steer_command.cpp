@@ -90,7 +90,8 @@ std::string in_print(const SessionStatistics& s, bool json) {
 
 int serve(const SteerArguments& arguments, Session& session, double seconds) {
   if (viewer::page_files().empty()) throw InvalidInput(fmt::format("steer: {}", viewer::kNoPage));
-  viewer::Access access{.bind = arguments.bind, .port = port(arguments.port), .token = {}};
+  const std::string bind = arguments.bind == "localhost" ? "127.0.0.1" : arguments.bind;
+  viewer::Access access{.bind = bind, .port = port(arguments.port), .token = {}};
   if (!access.is_loopback()) access.token = viewer::make_token();
   viewer::Server server(std::move(access), session);
   print_out(fmt::format("{}\n", server.url()));

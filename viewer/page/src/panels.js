@@ -103,7 +103,7 @@ export class Panels {
       if ($(id).getAttribute("aria-pressed") !== text) $(id).setAttribute("aria-pressed", text);
     }
     $("gait-type").textContent = frame.type === "–" ? "–" : `Type ${frame.type}`;
-    $("gait-words").textContent = `CCN ${frame.ccn} before adjustment${kTypeWords[frame.type] ? "; " + kTypeWords[frame.type] : ""}`;
+    $("gait-words").textContent = `CCN ${frame.ccn}${kTypeWords[frame.type] ? " · " + kTypeWords[frame.type] : ""}`;
     const spin = frame.rho < 1e-6;
     const where = spin ? "turns on the spot" : `radius ${Math.abs(frame.k) < 1e-4 ? "∞" : (frame.rho / frame.k).toFixed(2) + " m"}, crab ${((frame.crab * 180) / Math.PI).toFixed(0)}°`;
     $("heading").textContent = where;
