@@ -42,6 +42,7 @@ export class Steering {
     this.drive = drive;
     this.curvature = 0;
     this.crab = 0;  // [°]
+    this.limit = {};  // of the speed, as part of a command
     this.last = null;  // command that was given
     this.find("wheel", "wheel-turn", "radius", "dial", "dial-turn");
     this.addTicks();
@@ -53,6 +54,7 @@ export class Steering {
     onTurn(this.dial, (at) => this.set(this.curvature, -at), (_, at) => this.set(this.curvature, -at));
     this.addKeys();
     this.addFields();
+    this.addLimit();
     this.show();
   }
 
@@ -99,6 +101,18 @@ export class Steering {
     });
   }
 
+  /** At the right end there is no limit: the robot is as fast as its gait. */
+  addLimit() {
+    const slider = document.getElementById("limit");
+    slider.addEventListener("input", () => {
+      const most = Number(slider.value) >= Number(slider.max);
+      this.limit = most ? {} : { limit: Number(slider.value) };
+      document.getElementById("limit-out").textContent = most ? "none" : `${Number(slider.value).toFixed(2)} m/s`;
+      if (this.last?.type === "spin") this.spin(this.last.turn);
+      else if (this.last?.type !== "stop") this.go();
+    });
+  }
+
   /** One notch to the left (1) or right (−1). */
   bend(way) { this.set(curvatureOf(clamp(angleOf(this.curvature) - 12 * way, -kStop, kStop)), this.crab); }
   turn(way) { this.set(this.curvature, Math.round(this.crab / 15) * 15 + 15 * way); }
@@ -110,9 +124,9 @@ export class Steering {
     this.go();
   }
 
-  go() { this.command({ type: "drive", curvature: this.curvature, crab: (this.crab * Math.PI) / 180 }); }
+  go() { this.command({ type: "drive", curvature: this.curvature, crab: (this.crab * Math.PI) / 180, ...this.limit }); }
   stop() { this.command({ type: "stop" }); }
-  spin(turn) { this.command({ type: "spin", turn }); }
+  spin(turn) { this.command({ type: "spin", turn, ...this.limit }); }
 
   command(command) {
     this.last = command;

@@ -119,6 +119,18 @@ describe("steering", () => {
     await key("x");
     await until(page, (f) => !f.moving);
   });
+  test("the speed has a limit", async () => {
+    await reset();
+    await click("go");
+    await page.locator("#limit").fill("0.04");
+    await page.waitForTimeout(2500);
+    await until(page, (f) => f.moving && Math.hypot(f.vx, f.vy) < 0.06);
+    await page.waitForTimeout(500);
+    assert.ok(Math.hypot((await frameOf(page)).vx, (await frameOf(page)).vy) < 0.07);
+    await page.locator("#limit").fill("0.4");
+    assert.equal(await page.locator("#limit-out").textContent(), "none");
+    await until(page, (f) => Math.hypot(f.vx, f.vy) > 0.12);
+  });
   test("spin, stop and go", async () => {
     await click("spin-left");
     await until(page, (f) => f.rho < 1e-6 && f.k > 0 && f.moving);
