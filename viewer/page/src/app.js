@@ -4,13 +4,14 @@
 // The page: takes what the server tells, draws it, and sends what the person wants.
 //
 //     Link ──frame──▶ Robot, Overlays, charts, panels          Steering, panels, keys ──command──▶ Link
-import { chartColours, drawRing, GaitDiagram, Strip } from "./charts.js";
+import { chartColours, drawRing, GaitDiagram, legAt, Strip } from "./charts.js";
 import { Ground } from "./ground.js";
 import { Link } from "./link.js";
 import { Overlays, yaw } from "./overlays.js";
 import { Panels } from "./panels.js";
 import { Robot } from "./robot.js";
 import { Steering } from "./steering.js";
+import { why } from "./why.js";
 import { World } from "./world.js";
 
 const $ = (id) => document.getElementById(id);
@@ -30,6 +31,9 @@ class App {
     this.link.on("closed", () => this.panels.showState("not connected", "bad"));
     this.link.on("frame", (frame) => this.take(frame));
     this.addPointer();
+    this.chosen = 0;  // the leg of which a sentence is shown
+    $("ring").addEventListener("click", ({ offsetX, offsetY }) => this.choose(legAt($("ring"), this.names.length, offsetX, offsetY)));
+    this.panels.onLeg = (leg) => this.choose(leg);
     this.drawn = this.panelsDrawn = 0;
     document.body.classList.toggle("plain", this.world.software);
     requestAnimationFrame(() => this.draw());
@@ -44,6 +48,7 @@ class App {
     this.world.scene.add(this.robot.group, this.overlays.group);
     const names = this.scene.legs.map(({ name }) => name.slice(0, 3));
     this.names = names;
+    this.chosen = Math.min(this.chosen, names.length - 1);
     this.diagram = new GaitDiagram($("diagram"), names);
     this.strips = [
       new Strip($("strip-speed"), { title: "speed", unit: "m/s", digits: 2, bounds: [0, 0.3] }),
@@ -75,6 +80,8 @@ class App {
     this.strips[2].take(frame.time, 100 * frame.slip);
     if (speed > 0.03) this.strips[3].take(frame.time, frame.power / (this.scene.mass * 9.81 * speed));
   }
+
+  choose(leg) { if (leg >= 0 && leg < (this.names?.length ?? 0)) this.chosen = leg; }
 
   /** The robot was stopped because this page was silent: after a hiccup it goes on; after long, or when the
    *  page was out of sight, only when the person steers again. */
@@ -151,7 +158,9 @@ class App {
     this.panelsDrawn = performance.now();
     const frame = this.frame;
     this.diagram.draw(this.colours);
-    drawRing($("ring"), frame, this.names, this.colours);
+    drawRing($("ring"), frame, this.names, this.colours, this.chosen);
+    const sentence = why(frame, this.chosen, this.names);
+    if ($("why").textContent !== sentence) $("why").textContent = sentence;
     for (const strip of this.strips) strip.draw(this.colours);
     this.panels.showFrame(frame, this.world);
   }

@@ -87,15 +87,25 @@ export class GaitDiagram {
   }
 }
 
+/** Where a leg is in the picture of the ring [px]. */
+function placeInRing(leg, n, width, height) {
+  const row = Math.floor(leg / 2), pairs = n / 2;
+  const bulge = 0.06 * width * (row > 0 && row + 1 < pairs ? 1 : 0);
+  return [leg % 2 === 0 ? 0.2 * width - bulge + 4 : 0.8 * width + bulge - 4, 13 + (row * (height - 26)) / (pairs - 1)];
+}
+
+/** The leg at a point of the picture of the ring; −1 if there is none. */
+export function legAt(canvas, n, x, y) {
+  return Array.from({ length: n }, (_, leg) => leg).findIndex((leg) => {
+    const [a, b] = placeInRing(leg, n, canvas.clientWidth, canvas.clientHeight);
+    return Math.hypot(a - x, b - y) < 15;
+  });
+}
+
 /** The ring: legs as discs, an arrowhead on each edge towards the leg that steps first. */
-export function drawRing(canvas, frame, names, colours) {
+export function drawRing(canvas, frame, names, colours, chosen) {
   const { context: c, width, height } = begin(canvas);
-  const n = names.length, order = ring(n), pairs = n / 2;
-  const place = (leg) => {
-    const row = Math.floor(leg / 2);
-    const bulge = 0.06 * width * (row > 0 && row + 1 < pairs ? 1 : 0);
-    return [leg % 2 === 0 ? 0.2 * width - bulge + 4 : 0.8 * width + bulge - 4, 13 + (row * (height - 26)) / (pairs - 1)];
-  };
+  const n = names.length, order = ring(n), place = (leg) => placeInRing(leg, n, width, height);
   c.lineWidth = 1.5;
   for (let k = 0; k < n; ++k) {
     const lower = (frame.state >> k) & 1;  // set: `<`, the next one steps first
@@ -124,6 +134,13 @@ export function drawRing(canvas, frame, names, colours) {
     c.lineWidth = has(frame.priority, leg) ? 3 : 1.5;
     c.strokeStyle = has(frame.priority, leg) ? colours.swing : stands ? colours.support : colours.swing;
     c.stroke();
+    if (leg === chosen) {
+      c.beginPath();
+      c.arc(x, y, 12.5, 0, 2 * Math.PI);
+      c.lineWidth = 1;
+      c.strokeStyle = colours.text;
+      c.stroke();
+    }
     c.fillStyle = stands ? colours.field : colours.text;
     c.fillText(names[leg], x, y + 0.5);
   }

@@ -10,6 +10,9 @@ const kTypeWords = {
   "–": "",
 };
 
+/** With two digits, and no −0. */
+const hundredths = (x) => (Math.abs(x) < 0.005 ? 0 : x).toFixed(2);
+
 export class Panels {
   constructor(link, steering) {
     this.link = link;
@@ -51,6 +54,7 @@ export class Panels {
     if (event.target.matches("input:not([type=range]), select") && event.key !== "Escape") return;
     if (event.target.matches("button") && [" ", "Enter"].includes(event.key)) return;
     if (event.target.matches("input[type=range]") && event.key.startsWith("Arrow")) return;
+    if (/^[1-9]$/.test(event.key)) return this.onLeg?.(Number(event.key) - 1);
     const s = this.steering;
     const act = {
       w: () => s.set(s.curvature, 0), s: () => s.set(s.curvature, 180), a: () => s.bend(1), d: () => s.bend(-1),
@@ -107,7 +111,7 @@ export class Panels {
     const spin = frame.rho < 1e-6;
     const where = spin ? "turns on the spot" : `radius ${Math.abs(frame.k) < 1e-4 ? "∞" : (frame.rho / frame.k).toFixed(2) + " m"}, crab ${((frame.crab * 180) / Math.PI).toFixed(0)}°`;
     $("heading").textContent = where;
-    $("twist").textContent = `vx ${frame.vx.toFixed(2)}  vy ${frame.vy.toFixed(2)} m/s  ωz ${frame.wz.toFixed(2)} rad/s`;
+    $("twist").textContent = `vx ${hundredths(frame.vx)}  vy ${hundredths(frame.vy)} m/s  ωz ${hundredths(frame.wz)} rad/s`;
     const text = `${frame.time.toFixed(1)} s, ${frame.path.toFixed(2)} m, ${frame.factor.toFixed(2)} × real time, ${world.fps.toFixed(0)} fps`;
     if (this.shownFacts !== text) $("world").title = this.shownFacts = text;
   }

@@ -225,6 +225,17 @@ describe("things to try", () => {
   });
 });
 
+test("a sentence says why a leg steps or does not", async () => {
+  await key("x");
+  await until(page, (f) => !f.moving && f.contact === 0b111111);
+  await key("4");
+  await page.waitForTimeout(400);
+  assert.match(await page.locator("#why").textContent(), /^RM stands, as the robot does\. It is \d+\.\d cm/);
+  await page.locator("#ring").click({ position: { x: 22, y: 14 } });
+  await page.waitForTimeout(400);
+  assert.match(await page.locator("#why").textContent(), /^LF /);
+});
+
 describe("who steers", () => {
   test("a second page watches until the wheel is free", async () => {
     await click("go");
