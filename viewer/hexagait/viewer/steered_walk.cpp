@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cmath>
+#include <algorithm>
 #include <hexagait/gait_state/gait_state.hpp>
 #include <hexagait/math/planar.hpp>
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/viewer/steered_walk.hpp>
 #include <hexagait/walk/referee.hpp>
 #include <hexagait/walk/trial.hpp>
+#include <limits>
 
 namespace hexagait::viewer {
 namespace {
@@ -24,10 +25,10 @@ sim3d::WorldParams world_params_at(const recording::Simulation& simulation,
 }
 
 PlanarPose in_plane(const Pose& X_WB) {
-  return {std::atan2(X_WB.R(1, 0), X_WB.R(0, 0)), X_WB.p.head<2>()};
+  return {portable::atan2(X_WB.R(1, 0), X_WB.R(0, 0)), X_WB.p.head<2>()};
 }
 
-double tilt(const Pose& X_WB) { return std::acos(std::clamp(X_WB.R(2, 2), -1.0, 1.0)); }
+bool lies(const Pose& X_WB) { return X_WB.R(2, 2) < portable::cos(walk::kFallTilt); }
 
 }  // namespace
 
@@ -101,8 +102,7 @@ void SteeredWalk::observe() {
   last_place_ = now;
   last_q_ = measurement_.q;
 
-  if (!fell_ &&
-      (truth.base_touches_ground || tilt(truth.X_WB) > walk::kFallTilt || !truth.finite)) {
+  if (!fell_ && (truth.base_touches_ground || lies(truth.X_WB) || !truth.finite)) {
     fell_ = true;
     walker_.emergency_stop();
   }
