@@ -14,14 +14,21 @@ const { buildSync } = createRequire(join(build, "package.json"))("esbuild");
 const bundled = (file) =>
   buildSync({
     entryPoints: [join(source, file)], bundle: true, minify: true, write: false, format: "esm",
-    target: "es2022", legalComments: "none", nodePaths: [join(build, "node_modules")],
+    target: "es2022", legalComments: "eof", nodePaths: [join(build, "node_modules")],
   }).outputFiles[0].contents;
+
+// Of what is bundled.
+function licences() {
+  const text = readFileSync(join(build, "node_modules/three/LICENSE"), "utf8");
+  return Buffer.from(`The page of hexagait (BSD-3-Clause) has three (https://threejs.org) built in:\n\n${text}`);
+}
 
 const files = [
   ["/index.html", "text/html; charset=utf-8", readFileSync(join(source, "index.html"))],
   ["/app.js", "text/javascript; charset=utf-8", bundled("app.js")],
   ["/style.css", "text/css; charset=utf-8", bundled("style.css")],
   ["/icon.svg", "image/svg+xml", readFileSync(join(source, "icon.svg"))],
+  ["/licences.txt", "text/plain; charset=utf-8", licences()],
 ];
 
 // In lines of 32 numbers.
