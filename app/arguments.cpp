@@ -150,6 +150,8 @@ bool walks_backward(const std::string& crab) {
 
 }  // namespace
 
+double time_limit(const std::string& text) { return number("--seconds", text, kSeconds); }
+
 std::uint64_t seed(const std::string& text) {
   if (const auto value = parse_number<std::uint64_t>(text)) return *value;
   throw InvalidInput(fmt::format("--seed is '{}'; it must be a whole number of 0 or more", text));

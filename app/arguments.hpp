@@ -48,6 +48,9 @@ inline constexpr const char* kGenghis = "genghis2d";
 /// @throws InvalidInput  naming the first option that is wrong or makes no sense there
 [[nodiscard]] sim2d::GenghisTrial genghis_trial(const WalkArguments& arguments);
 
+/// What --seconds says [s]. @throws InvalidInput
+[[nodiscard]] double time_limit(const std::string& text);
+
 /// A whole number of 0 or more. @throws InvalidInput
 [[nodiscard]] std::uint64_t seed(const std::string& text);
 

@@ -13,6 +13,7 @@
 #include "action_options.hpp"
 #include "commands.hpp"
 #include "output.hpp"
+#include "steer_options.hpp"
 #include "sweep_command.hpp"
 #include "usage.hpp"
 #include "walk_options.hpp"
@@ -174,6 +175,7 @@ void add_verify(CLI::App& app, VerifyArguments& a) {
 // What was typed after each command.
 struct Arguments {
   WalkArguments walk;
+  SteerArguments steer;
   ActionArguments run, check;
   ExperimentArguments experiment;
   ResultsArguments results;
@@ -191,6 +193,7 @@ void add_commands(CLI::App& app, Arguments& a) {
   app.require_subcommand(1);
   app.footer("Each command has its own --help.");
   add_walk(app, a.walk);
+  add_steer(app, a.steer);
   add_run(app, a.run);
   add_check(app, a.check);
   add_experiment(app, a.experiment);
@@ -208,6 +211,7 @@ void add_commands(CLI::App& app, Arguments& a) {
 
 int run_command_of(const CLI::App& app, const Arguments& a) {
   if (app.got_subcommand("walk")) return walk_command(a.walk);
+  if (app.got_subcommand("steer")) return steer_command(a.steer);
   if (app.got_subcommand("run")) return run_command(a.run);
   if (app.got_subcommand("check")) return check_command(a.check);
   if (app.got_subcommand("experiment")) return experiment_command(a.experiment);

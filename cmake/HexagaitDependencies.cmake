@@ -10,7 +10,8 @@ set(hexagait_foreign_libraries
     "box2d::box2d|find_dependency(box2d)|box2d|libbox2d-dev"
     "PkgConfig::tinyxml2|hexagait_find_by_pkg_config(tinyxml2)|tinyxml2|libtinyxml2-dev"
     "PkgConfig::assimp|hexagait_find_by_pkg_config(assimp)|assimp|libassimp-dev"
-    "PkgConfig::ode|hexagait_find_by_pkg_config(ode)|ode|libode-dev")
+    "PkgConfig::ode|hexagait_find_by_pkg_config(ode)|ode|libode-dev"
+    "PkgConfig::libwebsockets|hexagait_find_by_pkg_config(libwebsockets)|libwebsockets|libwebsockets-dev")
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 if(HEXAGAIT_ACTIONS OR HEXAGAIT_VERIFY)
@@ -33,6 +34,16 @@ if(HEXAGAIT_MESHES)
 endif()
 if(HEXAGAIT_SIM3D)
   pkg_check_modules(ode REQUIRED IMPORTED_TARGET ode)
+endif()
+if(HEXAGAIT_VIEWER)
+  pkg_check_modules(libwebsockets REQUIRED IMPORTED_TARGET libwebsockets)
+  if(HEXAGAIT_PAGE)
+    find_program(HEXAGAIT_NODE NAMES node nodejs)
+    find_program(HEXAGAIT_NPM npm)
+  endif()
+  if(HEXAGAIT_PAGE AND NOT (HEXAGAIT_NODE AND HEXAGAIT_NPM))
+    message(STATUS "No Node.js with npm: hexagait steer is built without its page")
+  endif()
 endif()
 if(HEXAGAIT_FIGURES)
   find_package(Boost REQUIRED)  # headers only: statistics

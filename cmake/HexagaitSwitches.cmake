@@ -34,6 +34,20 @@ hexagait_switch(HEXAGAIT_SIM2D "The slice model and Genghis in two dimensions; n
 hexagait_switch(HEXAGAIT_SIM3D "Robots in three dimensions; needs ODE" ON)
 hexagait_switch(HEXAGAIT_FIGURES "Traces, figures and statistics of walks; needs Boost and nlohmann-json"
                 ON HEXAGAIT_ACTIONS HEXAGAIT_SIM2D HEXAGAIT_SIM3D)
+# Without libwebsockets this is off by itself: hexagait steer then says what it lacks.
+if(HEXAGAIT_FIGURES AND NOT DEFINED HEXAGAIT_VIEWER)
+  find_package(PkgConfig QUIET)
+  if(PkgConfig_FOUND)
+    pkg_check_modules(libwebsockets QUIET libwebsockets)
+  endif()
+  if(NOT libwebsockets_FOUND)
+    set(libwebsockets_FOUND OFF)
+    message(STATUS "No libwebsockets: HEXAGAIT_VIEWER (hexagait steer) is off")
+  endif()
+endif()
+hexagait_switch(HEXAGAIT_VIEWER "Walks to watch and steer, hexagait steer; needs libwebsockets"
+                "${libwebsockets_FOUND}" HEXAGAIT_FIGURES)
+option(HEXAGAIT_PAGE "The page of hexagait steer, if Node.js and npm are there" ON)
 hexagait_switch(HEXAGAIT_SWEEPS "Grids of trials by many processes" ON HEXAGAIT_FIGURES HEXAGAIT_URDF)
 hexagait_switch(HEXAGAIT_TOOLS "The hexagait command, the experiments and the examples; needs CLI11"
                 ${PROJECT_IS_TOP_LEVEL} HEXAGAIT_SWEEPS HEXAGAIT_VERIFY)

@@ -5,12 +5,14 @@
 # shellcheck shell=bash disable=SC2154  # $note is set by step, in setup.sh
 
 kPrefix=build/installed
-kComponents=(controller urdf actions verify sim sim2d sim3d walk statistics figures recording sweeps)
+kComponents=(controller urdf actions verify sim sim2d sim3d walk statistics figures recording viewer
+             sweeps)
 
 # The foreign libraries that a component, or a switch, may use; Eigen always.
 declare -A kForeign=(
   [urdf]='tinyxml2 assimp' [actions]='fmt yaml-cpp' [verify]=fmt [sim2d]=box2d [sim3d]=ode
   [walk]='fmt yaml-cpp' [figures]=fmt [recording]='fmt yaml-cpp box2d ode tinyxml2 assimp'
+  [viewer]='fmt yaml-cpp box2d ode tinyxml2 assimp libwebsockets libcap'
   [sweeps]='fmt yaml-cpp box2d ode tinyxml2 assimp')
 
 # hide_but LIBRARY…: prints options that hide all foreign libraries but these from find_package, and
@@ -40,10 +42,11 @@ configure() {
 
 # Each combination of the switches that makes sense: what is off is not even looked for.
 check_combinations() {
-  local dir=build/combination urdf actions sim2d sim3d figures sweeps meshes count=0 libraries hidden
+  local dir=build/combination urdf actions sim2d sim3d figures viewer sweeps meshes count=0 libraries hidden
   for urdf in ON OFF; do for actions in ON OFF; do for sim2d in ON OFF; do for sim3d in ON OFF; do
-    for figures in ON OFF; do for sweeps in ON OFF; do
+    for figures in ON OFF; do for viewer in ON OFF; do for sweeps in ON OFF; do
       [[ $figures == OFF || $actions$sim2d$sim3d == ONONON ]] || continue
+      [[ $viewer == OFF || $figures == ON ]] || continue
       [[ $sweeps == OFF || $figures$urdf == ONON ]] || continue
       libraries=()
       [[ $urdf == OFF ]] || libraries+=(tinyxml2 fmt)  # fmt: verify, below
@@ -53,17 +56,19 @@ check_combinations() {
       [[ $sim2d == OFF ]] || libraries+=(box2d)
       [[ $sim3d == OFF ]] || libraries+=(ode)
       [[ $figures == OFF ]] || libraries+=(Boost nlohmann_json)
+      [[ $viewer == OFF ]] || libraries+=(libwebsockets libcap)  # which libwebsockets.pc asks for
       mapfile -t hidden < <(hide_but "${libraries[@]}")
       rm -rf "$dir"
       configure "$dir" "${hidden[@]}" -DHEXAGAIT_URDF=$urdf -DHEXAGAIT_VERIFY=$urdf -DHEXAGAIT_MESHES=$meshes \
         -DHEXAGAIT_ACTIONS=$actions -DHEXAGAIT_SIM2D=$sim2d -DHEXAGAIT_SIM3D=$sim3d \
-        -DHEXAGAIT_FIGURES=$figures -DHEXAGAIT_SWEEPS=$sweeps
+        -DHEXAGAIT_FIGURES=$figures -DHEXAGAIT_VIEWER=$viewer -DHEXAGAIT_SWEEPS=$sweeps \
+        -DHEXAGAIT_PAGE=OFF
       cmake --build "$dir"
       count=$((count + 1))
-    done; done
+    done; done; done
   done; done; done; done
   check_refusals
-  printf '%d combinations, 6 refused' "$count" >"$note"
+  printf '%d combinations, 7 refused' "$count" >"$note"
 }
 
 # What makes no sense is refused by one message that names both switches; alone, OFF takes along
@@ -71,7 +76,7 @@ check_combinations() {
 check_refusals() {
   local dir=build/combination pair said
   hide_but fmt yaml-cpp box2d ode tinyxml2 assimp >/dev/null
-  for pair in FIGURES:ACTIONS FIGURES:SIM2D FIGURES:SIM3D SWEEPS:FIGURES SWEEPS:URDF MESHES:URDF; do
+  for pair in FIGURES:ACTIONS FIGURES:SIM2D FIGURES:SIM3D SWEEPS:FIGURES SWEEPS:URDF MESHES:URDF VIEWER:FIGURES; do
     rm -rf "$dir"
     if said=$(configure "$dir" "-DHEXAGAIT_${pair%:*}=ON" "-DHEXAGAIT_${pair#*:}=OFF" 2>&1); then
       printf 'not refused: %s\n' "$pair"
@@ -111,12 +116,12 @@ consume() {
   read -ra allowed <<<"${kForeign[$component]:-}"
   mapfile -t hidden < <(hide_but "${allowed[@]}")
   local components=$component
-  [[ $component != recording ]] || components='recording;urdf'
+  [[ $component != recording && $component != viewer ]] || components="$component;urdf"
   PKG_CONFIG_LIBDIR=$PWD/build/visible cmake -S examples/consumer -B "$dir" -G Ninja \
     -DCMAKE_PREFIX_PATH="$prefix" -DCOMPONENTS="$components" "${hidden[@]}"
   cmake --build "$dir"
   ctest --test-dir "$dir" --output-on-failure
-  for pc in fmt yaml-cpp box2d ode tinyxml2 assimp; do
+  for pc in fmt yaml-cpp box2d ode tinyxml2 assimp libwebsockets; do
     [[ " ${allowed[*]} " != *" $pc "* ]] || continue
     none grep -E "LINK_LIBRARIES.*lib$pc" "$dir/build.ninja"
     none grep "lib$pc" <(ldd "$dir/use_$component")
@@ -172,7 +177,7 @@ check_package() {
   (cd build/release && cpack -G DEB -B ../package)
   file=$(echo build/package/*.deb)
   depends=$(dpkg-deb -f "$file" Depends)
-  for package in libbox2d-dev libeigen3-dev libfmt-dev libode-dev libtinyxml2-dev libassimp-dev libyaml-cpp-dev libc6; do
+  for package in libbox2d-dev libeigen3-dev libfmt-dev libode-dev libtinyxml2-dev libassimp-dev libyaml-cpp-dev libwebsockets-dev libc6; do
     [[ "$depends" == *"$package"* ]] || { printf 'no %s in: %s\n' "$package" "$depends"; return 1; }
   done
   [[ $(dpkg-deb -f "$file" Recommends) == gnuplot-nox ]]

@@ -10,12 +10,19 @@ kRunPackages=(
   libyaml-cpp-dev                                               # the library
   libboost-math-dev libcli11-dev nlohmann-json3-dev gnuplot-nox  # the hexagait command
 )
+# hexagait steer: its server; and for its page Node.js with npm, where there is none of another source.
+# Without the page all else is built and tested: Debian's npm brings some hundred packages.
+kSteerPackages=(libwebsockets-dev)
+kPagePackages=()
+command -v node >/dev/null || kPagePackages+=(nodejs)
+command -v npm >/dev/null || kPagePackages+=(npm)
 kBuildPackages=(
   "${kRunPackages[@]}" ccache
   libbenchmark-dev libgmock-dev libgtest-dev libnlopt-dev liborocos-kdl-dev
   librapidcheck-dev                                             # benchmarks and tests
+  "${kSteerPackages[@]}"
 )
-kCheckPackages=(clang clang-format clang-tidy libclang-rt-14-dev universal-ctags)
+kCheckPackages=(clang clang-format clang-tidy libclang-rt-14-dev universal-ctags chromium "${kPagePackages[@]}")
 
 export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1  # one clone finds what another has compiled
 export CCACHE_SLOPPINESS=pch_defines,time_macros  # or it keeps nothing that has precompiled headers

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "steer_options.hpp"
+
+#include "usage.hpp"
+
+namespace hexagait::app {
+namespace {
+
+constexpr const char* kNotes = R"(
+The page at the address that is printed shows the robot and steers it. Keys: W S ahead, backwards;
+A D curve to the left, right; Q E crab to the left, right; X stop; Space pause; → one tick;
+P push; R scramble the legs; Backspace begin again.
+
+Only programs of this machine can open the page. --bind another address, and a token is needed that
+is printed with the address of the page.
+
+Examples:
+  hexagait steer
+  hexagait steer --robot mine.urdf --terrain steps:8cm --port 9000
+  hexagait steer --speed 0.25                       in slow motion
+  hexagait steer --headless --seconds 10            no page: walks in real time, and says how it was
+
+Exit status: 0 ended by Ctrl-C, or after --seconds; 1 fell, with --headless; 2 bad usage or input, or
+the port is in use.)";
+
+}  // namespace
+
+void add_steer(CLI::App& app, SteerArguments& a) {
+  CLI::App* steer = app.add_subcommand("steer", "Watch and steer a walk in the browser");
+  steer->footer(kNotes);
+  a.walk.terrain = "boxes:10cm";
+  a.walk.radius = "3";
+  a.walk.seconds.clear();
+  steer->add_option("--robot", a.walk.robot, "URDF file, or a name of hexagait list robots")
+      ->type_name("FILE|NAME")
+      ->capture_default_str();
+  steer->add_option("--terrain", a.walk.terrain, "Ground: see hexagait list terrains")
+      ->type_name("T")
+      ->capture_default_str();
+  steer->add_option("--seed", a.walk.seed, "Seed of terrain and plant: 0, 1, 2, …")
+      ->type_name("N")
+      ->capture_default_str();
+  steer->add_option("--radius", a.walk.radius, "Turning radius until somebody steers")
+      ->type_name("LENGTH|inf")
+      ->capture_default_str();
+  steer->add_option("--crab", a.walk.crab, "Direction of motion in the body until then")
+      ->type_name("ANGLE");
+  steer->add_option("--gait", a.walk.gait, "free (default), tripod or wave:BETA")->type_name("G");
+  group(*steer, "Robot, ground and walk");
+  steer->add_option("--port", a.port, "Of the page; 0: any that is free")
+      ->type_name("N")
+      ->capture_default_str();
+  steer->add_option("--bind", a.bind, "Address to listen on; any but a loopback one needs a token")
+      ->type_name("ADDRESS")
+      ->capture_default_str();
+  steer->add_option("--speed", a.speed, "Simulated seconds per second, 0.05 to 10")
+      ->type_name("X")
+      ->capture_default_str();
+  steer->add_flag("--headless", a.headless, "No page: only walk");
+  steer->add_option("--seconds", a.walk.seconds, "End after so long; default: with Ctrl-C")
+      ->type_name("TIME");
+  steer->add_flag("--json", a.walk.json, "At the end, print one JSON object");
+  steer->add_flag("--quiet", a.walk.quiet, "Say nothing but the address");
+  group(*steer, "Page");
+  add_robot_overrides(*steer, a.walk.overrides);
+  add_plant(*steer, a.walk.plant);
+}
+
+}  // namespace hexagait::app

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <hexagait/gait_state/stepper.hpp>
+#include <hexagait/heading_control/heading.hpp>
+#include <hexagait/math/planar.hpp>
+#include <hexagait/sim3d/terrain.hpp>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+/// What a page may ask for. One message is one JSON object, flat, with a "type":
+///
+///     {"type":"drive","radius":2.5,"crab":0.3}         metres, radians; or "curvature":0.4 [1/m]
+///     {"type":"spin","turn":"ccw"}                     or "cw"
+///     {"type":"twist","vx":0.1,"vy":0,"wz":0.2}        of the body, [m/s], [rad/s]; an upper limit
+///     {"type":"stop"}
+///     {"type":"pause","on":true}    {"type":"step","ticks":1}    {"type":"speed","factor":0.25}
+///     {"type":"scramble"}           {"type":"push","angle":1.57}  direction in the body frame
+///     {"type":"gait","gait":"wave:0.75"}               or free, tripod
+///     {"type":"reset"}                                 robot and ground as they began
+///     {"type":"restart","robot":"argos","terrain":"boxes:10cm","seed":2}   each may be left out
+///     {"type":"beat"}               a sign of life from who holds the wheel
+///     {"type":"release"}            gives the wheel back
+///
+/// drive and spin may have a "limit" of the speed [m/s of path]. An unknown key is refused, as a
+/// key that is missing is.
+namespace hexagait::viewer {
+
+inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+struct Drive {
+  heading_control::Heading heading = heading_control::Heading::stop();
+  double limit = kNoLimit;  ///< [m/s of path]
+};
+struct DriveTwist {
+  PlanarTwist twist;  ///< [m/s, rad/s]
+};
+struct Stop {};
+struct Pause {
+  bool on = true;
+};
+struct SingleStep {
+  int ticks = 1;
+};
+struct SpeedFactor {
+  double factor = 1.0;
+};
+struct Scramble {};
+struct Push {
+  double angle = 0.0;  ///< from the body's x [rad]
+};
+struct ChangeGait {
+  gait_state::StepperParams stepper;
+};
+struct Reset {};
+struct Restart {
+  std::optional<std::string> robot;  ///< a name, of those that the server lists; never a path
+  std::optional<sim3d::TerrainSpec> terrain;
+  std::optional<std::uint64_t> seed;
+};
+struct Beat {};
+struct Release {};
+
+using Command = std::variant<Drive, DriveTwist, Stop, Pause, SingleStep, SpeedFactor, Scramble,
+                             Push, ChangeGait, Reset, Restart, Beat, Release>;
+
+/// Why a message is no command, in words for the person who sent it.
+struct CommandError {
+  std::string what;
+};
+
+/// The longest message that is read [bytes].
+inline constexpr std::size_t kMaxMessage = 1024;
+/// The highest terrain that a page may ask for [m].
+inline constexpr double kMaxTerrain = 0.5;
+
+/// Reads a message. A pure function: the same text, the same answer; it never throws.
+/// @returns an error for what is too long, not UTF-8, not JSON, of an unknown type, or with a value
+///          that is missing, unknown, not finite or out of range
+[[nodiscard]] std::variant<Command, CommandError> parse_command(std::string_view text);
+
+}  // namespace hexagait::viewer

@@ -1,0 +1,9 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <hexagait/viewer/page_files.hpp>
+
+namespace hexagait::viewer {
+
+std::span<const PageFile> page_files() { return {}; }
+
+}  // namespace hexagait::viewer

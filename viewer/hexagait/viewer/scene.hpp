@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <hexagait/math/planar.hpp>
+#include <hexagait/model/robot_model.hpp>
+#include <hexagait/sim3d/terrain.hpp>
+#include <string>
+#include <vector>
+
+/// What a page draws that does not change from frame to frame, as JSON text.
+namespace hexagait::viewer {
+
+/// The cells of the ground around a place: a square of them.
+struct GroundPatch {
+  static constexpr int kCells = 52;  ///< along an edge
+  int i0 = 0, j0 = 0;                ///< its first cell, in both axes
+
+  /// The patch with this place in its middle [m].
+  [[nodiscard]] static GroundPatch around(const sim3d::Terrain& terrain, const Vector2& p_W);
+
+  /// Is the place so far from the middle that a new patch is due?
+  [[nodiscard]] bool is_left_by(const sim3d::Terrain& terrain, const Vector2& p_W) const;
+};
+
+/// {"type":"scene", …}: the robot's links with their shapes, joints and feet, from which a page
+/// moves it by the joint angles of a PoseFrame alone; names of robots and terrains to choose from.
+/// @param number  that the frames of this scene carry
+[[nodiscard]] std::string scene_json(const RobotModel& robot, const sim3d::Terrain& terrain,
+                                     std::uint64_t seed, double control_dt, std::uint32_t number,
+                                     const std::vector<std::string>& robots);
+
+/// {"type":"ground", …}: levels of the cells, row by row (x, then y) [m].
+[[nodiscard]] std::string ground_json(const sim3d::Terrain& terrain, const GroundPatch& patch,
+                                      std::uint32_t scene);
+
+/// {"type":"hello","you":7}: the client's number, which frames name as the holder of the wheel.
+[[nodiscard]] std::string hello_json(std::uint32_t client);
+
+/// {"type":"error","what":"…"}.
+[[nodiscard]] std::string error_json(const std::string& what);
+
+}  // namespace hexagait::viewer

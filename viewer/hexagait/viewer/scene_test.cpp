@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <hexagait/model/kinematics.hpp>
+#include <hexagait/urdf/urdf.hpp>
+#include <hexagait/viewer/scene.hpp>
+#include <hexagait/walk/trial.hpp>
+#include <nlohmann/json.hpp>
+
+namespace hexagait::viewer {
+namespace {
+
+using nlohmann::json;
+
+RobotModel argos() { return load_urdf(HEXAGAIT_ROBOTS "/argos.urdf"); }
+
+Vector3 vector(const json& v) {
+  return {v[0].get<double>(), v[1].get<double>(), v[2].get<double>()};
+}
+
+json scene_of(const RobotModel& robot) {
+  const sim3d::Terrain terrain(sim3d::parse_terrain("boxes:0.1"), 1);
+  return json::parse(scene_json(robot, terrain, 1, 0.002, 7, {"argos", "other"}));
+}
+
+// What a page does: rotations about the joints' axes, one after the other, move the foot from where
+// it is with all joints at zero.
+TEST(Scene, TellsAllThatThePositionOfAFootNeeds) {
+  const RobotModel robot = argos();
+  const json scene = scene_of(robot);
+  const LegArray<LegJoints> q = walk::random_posture(robot, 0.1, 3);
+  for (LegId i = 0; i < robot.num_legs(); ++i) {
+    const json& leg = scene["legs"][static_cast<std::size_t>(i)];
+    Pose X;
+    for (std::size_t k = 0; k < leg["joints"].size(); ++k) {
+      const json& joint = leg["joints"][k];
+      const double angle = q[i][static_cast<Eigen::Index>(k)];
+      X = X * rotation_about(vector(joint["point"]), rotation(angle * vector(joint["axis"])));
+    }
+    EXPECT_TRUE((X * vector(leg["foot"])).isApprox(foot_position(robot.legs[i], q[i]), 1e-9));
+  }
+}
+
+TEST(Scene, HasEveryShapeOfEveryLink) {
+  const RobotModel robot = argos();
+  const json scene = scene_of(robot);
+  EXPECT_EQ(scene["type"], "scene");
+  EXPECT_EQ(scene["scene"], 7);
+  EXPECT_EQ(scene["robots"], json({"argos", "other"}));
+  EXPECT_EQ(scene["base"]["shapes"].size(), robot.base.shapes.size());
+  EXPECT_EQ(scene["base"]["shapes"][0]["kind"], "box");
+  EXPECT_EQ(vector(scene["base"]["shapes"][0]["size"]), robot.base.shapes[0].size);
+  const json& shin = scene["legs"][5]["joints"][2]["link"];
+  EXPECT_EQ(shin["shapes"].size(), robot.legs[5].links[2].shapes.size());
+}
+
+TEST(Scene, GroundHasTheLevelsOfTheTerrainByRows) {
+  const sim3d::Terrain terrain(sim3d::parse_terrain("steps:0.1"), 1);
+  const GroundPatch patch = GroundPatch::around(terrain, {30.0, -12.0});
+  const json ground = json::parse(ground_json(terrain, patch, 2));
+  EXPECT_EQ(ground["i0"], 100 - GroundPatch::kCells / 2);
+  EXPECT_EQ(ground["j0"], -40 - GroundPatch::kCells / 2);
+  EXPECT_NEAR(ground["ramp"].get<double>(), terrain.sample_spacing(), 1e-12);
+  ASSERT_EQ(ground["levels"].size(), GroundPatch::kCells * GroundPatch::kCells);
+  EXPECT_NEAR(ground["levels"][3 * GroundPatch::kCells + 5].get<double>(),
+              terrain.level(patch.i0 + 3, patch.j0 + 5), 1e-5);
+}
+
+TEST(Scene, PatchIsLeftFarFromItsMiddleOnly) {
+  const sim3d::Terrain terrain(sim3d::parse_terrain("flat"), 1);
+  const GroundPatch patch = GroundPatch::around(terrain, {0.0, 0.0});
+  EXPECT_FALSE(patch.is_left_by(terrain, {2.0, -2.0}));
+  EXPECT_TRUE(patch.is_left_by(terrain, {3.0, 0.0}));
+}
+
+// A name of the robot may be any bytes; the text is UTF-8 all the same.
+TEST(Scene, AnErrorIsAlwaysUtf8) {
+  EXPECT_EQ(json::parse(error_json("no \xC3"))["type"], "error");
+  EXPECT_EQ(json::parse(hello_json(7))["you"], 7);
+}
+
+}  // namespace
+}  // namespace hexagait::viewer

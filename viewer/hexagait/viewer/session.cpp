@@ -1,0 +1,338 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <hexagait/text/invalid_input.hpp>
+#include <hexagait/viewer/session.hpp>
+
+namespace hexagait::viewer {
+namespace {
+
+constexpr std::size_t kMostOrders = 64;  // that wait for the next tick
+constexpr auto kMostBehind = std::chrono::milliseconds(100);
+constexpr auto kIdle = std::chrono::milliseconds(50);  // between two looks while paused
+constexpr double kMeasuring = 0.5;                     // of the speed factor [s]
+constexpr double kScramble = 0.9;                      // of the workspaces' radius
+
+Clock::duration seconds(double s) {
+  return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(s));
+}
+
+double processor_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+bool is_drive(const Command& command) {
+  return std::holds_alternative<Drive>(command) || std::holds_alternative<DriveTwist>(command);
+}
+
+// Is an order out of date once this one has come right after it?
+bool is_replaced(const Command& order, const Command& next) {
+  if (is_drive(order)) return is_drive(next);
+  const bool begins_anew =
+      std::holds_alternative<Scramble>(order) || std::holds_alternative<Reset>(order);
+  return begins_anew && order.index() == next.index();
+}
+
+}  // namespace
+
+Session::Session(SessionOptions options) : options_(std::move(options)), began_(options_) {
+  command_.heading = options_.heading;
+  command_.speed_limit = kNoLimit;
+  std::promise<void> started;
+  std::future<void> start = started.get_future();
+  thread_ = std::thread([&] { run(started); });
+  try {
+    start.get();
+  } catch (...) {
+    thread_.join();
+    throw;
+  }
+}
+
+Session::~Session() {
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+    news_ = nullptr;
+  }
+  wake_.notify_all();
+  thread_.join();
+}
+
+void Session::on_news(std::function<void()> news) {
+  const std::lock_guard lock(mutex_);
+  news_ = std::move(news);
+}
+
+ClientId Session::enter() {
+  const std::lock_guard lock(mutex_);
+  wheel_.enter(++clients_, Clock::now());
+  return clients_;
+}
+
+void Session::leave(ClientId client) {
+  const std::lock_guard lock(mutex_);
+  if (wheel_.leave(client)) holder_left_ = true;
+  wake_.notify_all();
+}
+
+std::string Session::receive(ClientId client, std::string_view message) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!wheel_.hear(client, Clock::now()))
+      return error_json("too many messages; some of them were not read");
+  }
+  auto read = parse_command(message);
+  if (const auto* error = std::get_if<CommandError>(&read)) return error_json(error->what);
+  return accept(client, std::get<Command>(std::move(read)));
+}
+
+std::string Session::accept(ClientId client, Command command) {
+  if (const auto* restart = std::get_if<Restart>(&command);
+      restart != nullptr && restart->robot &&
+      std::ranges::find(began_.robots, *restart->robot) == began_.robots.end())
+    return error_json(fmt::format("there is no robot \"{}\"", *restart->robot));
+
+  const std::lock_guard lock(mutex_);
+  if (std::holds_alternative<Beat>(command)) return {};
+  if (std::holds_alternative<Release>(command) && wheel_.holder() != client) return {};
+  if (!wheel_.take(client, Clock::now())) return error_json("another page holds the wheel");
+  if (std::holds_alternative<Release>(command)) wheel_.release(client);
+
+  if (!inbox_.empty() && is_replaced(inbox_.back().command, command)) {
+    inbox_.back().command = std::move(command);
+  } else {
+    if (inbox_.size() >= kMostOrders) return error_json("too many commands at once");
+    inbox_.push_back({std::move(command), statistics_.ticks});
+  }
+  wake_.notify_all();
+  return {};
+}
+
+bool Session::newer_than(Seen& seen, Letter& letter) const {
+  const std::lock_guard lock(mutex_);
+  for (int kind = 0; kind < kMailKinds; ++kind) {
+    const Mailbox& box = mail_[kind];
+    if (box.number == seen.number[kind]) continue;
+    seen.number[kind] = box.number;
+    letter = {static_cast<Mail>(kind), box.content};
+    return true;
+  }
+  return false;
+}
+
+SessionStatistics Session::statistics() const {
+  const std::lock_guard lock(mutex_);
+  return statistics_;
+}
+
+// What follows is the simulation's thread.
+
+void Session::run(std::promise<void>& started) {
+  try {
+    begin({});
+  } catch (...) {
+    started.set_exception(std::current_exception());
+    return;
+  }
+  due_ = frame_due_ = measured_ = Clock::now();
+  started.set_value();
+  while (take_orders()) {
+    watch_holder();
+    const bool waits = paused_ && steps_ == 0;
+    if (waits && changed_) publish();
+    if (waits || Clock::now() < due_) {
+      wait_until(waits ? Clock::now() + kIdle : due_);
+      if (waits) due_ = Clock::now();
+      continue;
+    }
+    tick();
+    if (changed_ || Clock::now() >= frame_due_) publish();
+  }
+}
+
+void Session::begin(const WalkStart& start) {
+  walk_ = nullptr;  // of two worlds at once there is no need
+  walk_ = std::make_unique<SteeredWalk>(options_.robot, options_.simulation, start);
+  joints_ = LegArray<int>(options_.robot.num_legs());
+  for (LegId i = 0; i < joints_.size(); ++i) joints_[i] = options_.robot.legs[i].num_joints();
+  ++scene_;
+  post(Mail::scene, scene_json(options_.robot, walk_->terrain(), options_.simulation.seed,
+                               walk_->control_dt(), scene_, options_.robots));
+  patch_ = GroundPatch::around(walk_->terrain(), walk_->place().shift);
+  post(Mail::ground, ground_json(walk_->terrain(), patch_, scene_));
+  due_ = Clock::now();
+  changed_ = true;
+}
+
+// Everything that has arrived is obeyed before the next tick.
+bool Session::take_orders() {
+  std::deque<Order> orders;
+  {
+    const std::lock_guard lock(mutex_);
+    if (stop_) return false;
+    orders.swap(inbox_);
+    if (holder_left_) orders.push_back({Stop{}, statistics_.ticks});
+    holder_left_ = false;
+  }
+  for (const Order& order : orders) obey(order);
+  return true;
+}
+
+void Session::obey(const Order& order) {
+  try {
+    std::visit([this](const auto& command) { obey(command); }, order.command);
+  } catch (const std::exception& error) {
+    post(Mail::notice, error_json(error.what()));
+    if (walk_ == nullptr) {
+      options_ = began_;
+      begin({});
+    }
+  }
+  const std::lock_guard lock(mutex_);
+  ++statistics_.commands;
+  const auto delay = static_cast<int>(statistics_.ticks - order.tick);
+  if (!paused_) statistics_.worst_delay = std::max(statistics_.worst_delay, delay);
+}
+
+void Session::obey(const Drive& drive) {
+  command_ = {drive.heading, drive.limit};
+  silent_ = false;
+  changed_ = true;
+}
+
+void Session::obey(const DriveTwist& drive) {
+  command_ = walk_->command_of(drive.twist, command_.heading);
+  silent_ = false;
+  changed_ = true;
+}
+
+void Session::obey(Stop) {
+  command_.heading = command_.heading.stopped();
+  changed_ = true;
+}
+
+void Session::obey(const Pause& pause) {
+  paused_ = pause.on;
+  steps_ = 0;
+  changed_ = true;
+}
+
+void Session::obey(const SingleStep& step) {
+  paused_ = true;
+  steps_ += step.ticks;
+}
+
+void Session::obey(const SpeedFactor& speed) {
+  options_.speed_factor = speed.factor;
+  due_ = Clock::now();
+}
+
+// The legs stand somewhere else from one tick to the next: the robot is put down anew where it is.
+void Session::obey(Scramble) {
+  double radius = options_.robot.legs[0].workspace_radius;
+  for (const LegModel& leg : options_.robot.legs) radius = std::min(radius, leg.workspace_radius);
+  begin({walk_->place(), kScramble * radius, ++draws_});
+}
+
+void Session::obey(const Push& push) { walk_->push(push.angle); }
+
+void Session::obey(const ChangeGait& change) {
+  walk_->set_gait(change.stepper);
+  options_.simulation.gait.stepper = change.stepper;
+  changed_ = true;
+}
+
+void Session::obey(Reset) {
+  options_ = began_;
+  command_ = {options_.heading, kNoLimit};
+  paused_ = silent_ = false;
+  begin({});
+}
+
+void Session::obey(const Restart& restart) {
+  SessionOptions next = options_;
+  if (restart.robot) next.robot = options_.load(*restart.robot);
+  if (restart.terrain) next.simulation.terrain = *restart.terrain;
+  if (restart.seed) next.simulation.seed = *restart.seed;
+  options_ = std::move(next);
+  command_ = {began_.heading, kNoLimit};
+  silent_ = false;
+  begin({});
+}
+
+void Session::watch_holder() {
+  const std::lock_guard lock(mutex_);
+  if (silent_ || !wheel_.is_silent(Clock::now())) return;
+  silent_ = true;
+  changed_ = true;
+  command_.heading = command_.heading.stopped();
+}
+
+void Session::tick() {
+  walk_->tick(command_);
+  if (steps_ > 0 && --steps_ == 0) changed_ = true;
+  const auto now = Clock::now();
+  due_ += seconds(walk_->control_dt() / options_.speed_factor);
+  if (now - due_ > kMostBehind) due_ = now;  // the machine is too slow: so is the walk
+
+  const std::lock_guard lock(mutex_);
+  ++statistics_.ticks;
+  statistics_.seconds += walk_->control_dt();
+  const double passed = std::chrono::duration<double>(now - measured_).count();
+  if (passed < kMeasuring) return;
+  measured_factor_ =
+      static_cast<double>(statistics_.ticks - measured_ticks_) * walk_->control_dt() / passed;
+  measured_ = now;
+  measured_ticks_ = statistics_.ticks;
+}
+
+void Session::publish() {
+  PoseFrame frame = walk_->frame();
+  if (patch_.is_left_by(walk_->terrain(), frame.X_WB.p.head<2>())) {
+    patch_ = GroundPatch::around(walk_->terrain(), frame.X_WB.p.head<2>());
+    post(Mail::ground, ground_json(walk_->terrain(), patch_, scene_));
+  }
+  frame.scene = scene_;
+  frame.speed_factor = measured_factor_;
+  if (paused_) frame.flags |= PoseFrame::paused;
+  if (silent_) frame.flags |= PoseFrame::silent;
+  {
+    const std::lock_guard lock(mutex_);
+    frame.holder = wheel_.holder();
+    ++statistics_.frames;
+    statistics_.fell = walk_->fell();
+    statistics_.path = frame.path;
+    statistics_.processor = processor_seconds();
+  }
+  post(Mail::frame, encode(frame, joints_));
+  const auto now = Clock::now(), next = frame_due_ + seconds(1.0 / options_.frame_rate);
+  frame_due_ = next > now ? next : now + seconds(1.0 / options_.frame_rate);
+  changed_ = false;
+  call();
+}
+
+void Session::post(Mail kind, std::string content) {
+  const std::lock_guard lock(mutex_);
+  Mailbox& box = mail_[static_cast<int>(kind)];
+  ++box.number;
+  box.content = std::move(content);
+}
+
+// Under the mutex: once on_news() has returned, the one before it is not called any more.
+void Session::call() {
+  const std::lock_guard lock(mutex_);
+  if (news_) news_();
+}
+
+void Session::wait_until(Clock::time_point due) {
+  std::unique_lock lock(mutex_);
+  wake_.wait_until(lock, due, [this] { return stop_ || !inbox_.empty() || holder_left_; });
+}
+
+}  // namespace hexagait::viewer

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <future>
+#include <hexagait/viewer/command.hpp>
+#include <hexagait/viewer/scene.hpp>
+#include <hexagait/viewer/steered_walk.hpp>
+#include <hexagait/viewer/wheel.hpp>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace hexagait::viewer {
+
+struct SessionOptions {
+  RobotModel robot;
+  recording::Simulation simulation;
+  heading_control::Heading heading = heading_control::Heading::stop();  ///< until a client steers
+  double speed_factor = 1.0;        ///< simulated seconds per second
+  double frame_rate = 60.0;         ///< pose frames per second, at most [1/s]
+  std::vector<std::string> robots;  ///< names that a client may ask for
+  std::function<RobotModel(const std::string& name)> load;  ///< of these names
+};
+
+/// How a session has gone so far.
+struct SessionStatistics {
+  std::uint64_t ticks = 0, frames = 0, commands = 0;
+  double seconds = 0.0;    ///< simulated, in all scenes [s]
+  double path = 0.0;       ///< of the present scene [m]
+  int worst_delay = 0;     ///< ticks between the arrival of a command and the one that obeyed it
+  bool fell = false;       ///< in the present scene
+  double processor = 0.0;  ///< time of the simulation's thread [s]
+};
+
+/// A walk in real time with clients that watch and steer. Owns the thread of the simulation:
+///
+///     client ── receive() ──▶ parse_command ─▶ wheel ─▶ inbox ──▶ thread: SteeredWalk, tick by tick
+///     client ◀─ newer_than() ── newest frame, scene, ground ◀───────────────┘
+///
+/// What goes out lies in a mailbox that holds the newest of each kind: a client that is slow, or
+/// reads nothing, misses frames, delays nobody, and nothing grows. All functions may be called from
+/// any thread, and none waits for a tick.
+class Session {
+ public:
+  enum class Mail : std::uint8_t { scene, ground, notice, frame };
+  static constexpr int kMailKinds = 4;
+  /// What a client has seen of each kind of mail.
+  struct Seen {
+    std::uint64_t number[kMailKinds] = {};
+  };
+  struct Letter {
+    Mail kind = Mail::frame;
+    std::string content;
+  };
+
+  /// Starts to walk.
+  /// @throws InvalidInput  if there is no such walk
+  explicit Session(SessionOptions options);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  /// @param news  called from the simulation's thread when there is mail; empty: nobody is called
+  void on_news(std::function<void()> news);
+
+  [[nodiscard]] ClientId enter();
+  void leave(ClientId client);
+
+  /// Takes a message of a client. @returns what to answer: nothing, or an error_json()
+  [[nodiscard]] std::string receive(ClientId client, std::string_view message);
+
+  /// The next thing that this client has not seen, in its newest version: a scene before its ground
+  /// before frames. @returns false if there is none
+  [[nodiscard]] bool newer_than(Seen& seen, Letter& letter) const;
+
+  [[nodiscard]] SessionStatistics statistics() const;
+
+ private:
+  struct Order {
+    Command command;
+    std::uint64_t tick = 0;  ///< that had been made when it arrived
+  };
+  struct Mailbox {
+    std::uint64_t number = 0;
+    std::string content;
+  };
+
+  [[nodiscard]] std::string accept(ClientId client, Command command);
+  void run(std::promise<void>& started);
+  void begin(const WalkStart& start);
+  [[nodiscard]] bool take_orders();
+  void obey(const Order& order);
+  void obey(const Drive& drive);
+  void obey(const DriveTwist& drive);
+  void obey(Stop);
+  void obey(const Pause& pause);
+  void obey(const SingleStep& step);
+  void obey(const SpeedFactor& speed);
+  void obey(Scramble);
+  void obey(const Push& push);
+  void obey(const ChangeGait& change);
+  void obey(Reset);
+  void obey(const Restart& restart);
+  void obey(Beat) {}
+  void obey(Release) { obey(Stop{}); }
+  void watch_holder();
+  void tick();
+  void publish();
+  void post(Mail kind, std::string content);
+  void call();
+  void wait_until(Clock::time_point due);
+
+  // Of the simulation's thread alone.
+  SessionOptions options_, began_;
+  std::unique_ptr<SteeredWalk> walk_;
+  LegArray<int> joints_;
+  heading_control::HeadingCommand command_;
+  std::uint32_t scene_ = 0;
+  std::uint64_t draws_ = 0;
+  GroundPatch patch_;
+  bool paused_ = false, silent_ = false, changed_ = true;
+  int steps_ = 0;
+  Clock::time_point due_, frame_due_, measured_;
+  double measured_factor_ = 1.0;
+  std::uint64_t measured_ticks_ = 0;
+
+  // Shared, under the mutex.
+  mutable std::mutex mutex_;
+  std::condition_variable wake_;
+  Wheel wheel_;
+  ClientId clients_ = 0;
+  bool holder_left_ = false;
+  std::deque<Order> inbox_;
+  Mailbox mail_[kMailKinds];
+  SessionStatistics statistics_;
+  std::function<void()> news_;
+  bool stop_ = false;
+
+  std::thread thread_;  // last: it uses all of the above
+};
+
+}  // namespace hexagait::viewer

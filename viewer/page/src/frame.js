@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Reads a pose frame: the bytes of hexagait/viewer/pose_frame.hpp.
+
+export const kVersion = 1;
+export const kPhases = ["support", "unload", "lift", "transfer", "descend", "retreat", "follow", "search", "hold"];
+export const kFaults = ["", "not started", "bad measurement", "plant late", "plant closed", "emergency stop", "bad command"];
+const kFlags = { paused: 1, fell: 2, silent: 4, wave: 8, tripod: 16, holding: 32 };
+const kTypes = ["–", "A", "B", "C", "D"];
+
+class Reader {
+  constructor(buffer) {
+    this.view = new DataView(buffer);
+    this.at = 0;
+  }
+  u8() { return this.view.getUint8(this.at++); }
+  u16() { this.at += 2; return this.view.getUint16(this.at - 2, true); }
+  u32() { this.at += 4; return this.view.getUint32(this.at - 4, true); }
+  f32() { this.at += 4; return this.view.getFloat32(this.at - 4, true); }
+  f64() { this.at += 8; return this.view.getFloat64(this.at - 8, true); }
+  vector(n) { return Array.from({ length: n }, () => this.f32()); }
+}
+
+/** @returns the frame, or null if it is of another version than this page */
+export function decodeFrame(buffer) {
+  const r = new Reader(buffer);
+  if (r.u8() !== kVersion) return null;
+  const n = r.u8(), bits = r.u8(), fault = r.u8();
+  const f = { fault, scene: r.u32(), tick: r.u32(), holder: r.u32(), time: r.f64(), factor: r.f32() };
+  for (const [name, bit] of Object.entries(kFlags)) f[name] = (bits & bit) !== 0;
+  f.p = r.vector(3);
+  f.q = r.vector(4);
+  [f.vx, f.vy, f.wz] = r.vector(3);
+  [f.rho, f.k, f.crab] = r.vector(3);
+  f.moving = r.f32() !== 0;
+  f.centre = r.vector(2);
+  f.margin = r.f32();
+  f.com = r.vector(3);
+  [f.lateral, f.path, f.slip, f.power] = r.vector(4);
+  f.raw = r.u16();
+  f.state = r.u16();
+  f.ccn = r.u8();
+  f.type = kTypes[r.u8()];
+  for (const set of ["priority", "mayStep", "waits", "contact", "support", "urgent"]) f[set] = r.u16();
+  f.polygon = Array.from({ length: r.u8() }, () => r.vector(2));
+  f.legs = Array.from({ length: n }, () => {
+    const leg = { foot: r.vector(3), target: r.vector(3), force: r.f32(), lag: r.f32(), phase: r.u8() };
+    leg.q = r.vector(r.u8());
+    return leg;
+  });
+  return f;
+}
+
+export const has = (set, leg) => ((set >> leg) & 1) === 1;
+
+/** The legs around the ring, clockwise from the left front one: (gait 1). */
+export function ring(n) {
+  return Array.from({ length: n }, (_, k) => (k === 0 ? 0 : 2 * k <= n ? 2 * k - 1 : 2 * (n - k)));
+}

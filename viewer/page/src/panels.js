@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Buttons, choices, keys, and the words about what is going on.
+import { kFaults } from "./frame.js";
+
+const $ = (id) => document.getElementById(id);
+const kTypeWords = {
+  A: "one leg first", B: "two, one neighbour apart", C: "two, opposite", D: "three legs: tripod",
+  "–": "",
+};
+
+/** With two digits, and no −0. */
+const hundredths = (x) => (Math.abs(x) < 0.005 ? 0 : x).toFixed(2);
+
+export class Panels {
+  constructor(link, steering) {
+    this.link = link;
+    this.steering = steering;
+    const send = (command) => () => this.link.send(command);
+    const acts = {
+      scramble: send({ type: "scramble" }), reset: send({ type: "reset" }),
+      push: () => this.link.send({ type: "push", angle: Math.random() < 0.5 ? Math.PI / 2 : -Math.PI / 2 }),
+      pause: () => this.link.send({ type: "pause", on: !this.frame?.paused }), step: send({ type: "step", ticks: 1 }),
+      go: () => steering.go(), stop: () => steering.stop(),
+      "spin-left": () => steering.spin("ccw"), "spin-right": () => steering.spin("cw"),
+      "gait-free": () => this.gait("free"), "gait-tripod": () => this.gait("tripod"), "gait-wave": () => this.gait("wave"),
+      "hide-hints": () => $("hints").classList.add("away"),
+      more: () => $("more").setAttribute("aria-expanded", document.body.classList.toggle("more")),
+    };
+    for (const [id, act] of Object.entries(acts)) $(id).addEventListener("click", act);
+    this.acts = acts;
+    $("speed").addEventListener("change", () => this.link.send({ type: "speed", factor: Number($("speed").value) }));
+    $("robot").addEventListener("change", () => this.link.send({ type: "restart", robot: $("robot").value }));
+    $("terrain").addEventListener("change", () => this.restart());
+    $("roughness").addEventListener("change", () => this.restart());
+    $("roughness").addEventListener("input", () => this.showRoughness());
+    $("duty").addEventListener("input", () => {
+      $("duty-out").textContent = Number($("duty").value).toFixed(2);
+      if (this.frame?.wave) this.gait("wave");
+    });
+    addEventListener("keydown", (event) => this.key(event));
+  }
+
+  gait(kind) { this.link.send({ type: "gait", gait: kind === "wave" ? `wave:${$("duty").value}` : kind }); }
+
+  restart() {
+    const kind = $("terrain").value;
+    this.link.send({ type: "restart", terrain: kind === "flat" ? kind : `${kind}:${$("roughness").value}cm` });
+  }
+
+  key(event) {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.target.matches("input:not([type=range]), select") && event.key !== "Escape") return;
+    if (event.target.matches("button") && [" ", "Enter"].includes(event.key)) return;
+    if (event.target.matches("input[type=range]") && event.key.startsWith("Arrow")) return;
+    if (/^[1-9]$/.test(event.key)) return this.onLeg?.(Number(event.key) - 1);
+    const s = this.steering;
+    const act = {
+      w: () => s.set(s.curvature, 0), s: () => s.set(s.curvature, 180), a: () => s.bend(1), d: () => s.bend(-1),
+      q: () => s.turn(1), e: () => s.turn(-1), x: this.acts.stop, p: this.acts.push, r: this.acts.scramble,
+      " ": this.acts.pause, ArrowRight: this.acts.step, Backspace: this.acts.reset,
+      ArrowUp: () => s.go(), Escape: () => document.activeElement.blur(),
+    }[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    if (!act) return;
+    event.preventDefault();
+    act();
+  }
+
+  showScene(scene) {
+    const options = (select, entries, chosen) => {
+      select.replaceChildren(...entries.map((name) => new Option(name, name, false, name === chosen)));
+      if (!entries.includes(chosen)) select.prepend(new Option(chosen, chosen, true, true));
+    };
+    options($("robot"), scene.robots, scene.robot);
+    const [kind, height] = scene.terrain.split(":");
+    options($("terrain"), scene.terrains.map(({ syntax }) => syntax.split(":")[0]), kind);
+    if (height) $("roughness").value = 100 * Number(height);
+    $("roughness-label").hidden = kind === "flat";
+    this.showRoughness();
+    const legs = scene.legs.length, joints = scene.legs[0].joints.length;
+    $("facts").textContent = `${legs} legs × ${joints} joints, ${scene.mass.toFixed(1)} kg, seed ${scene.seed}`;
+  }
+
+  showRoughness() { $("roughness-out").textContent = `${$("roughness").value} cm`; }
+
+  showState(words, lamp) {
+    if ($("state").textContent !== words) $("state").textContent = words;
+    if ($("lamp").className !== lamp) $("lamp").className = lamp;
+  }
+
+  state(frame) {
+    if (frame.fell) return ["fell – Backspace begins again", "bad"];
+    if (frame.fault) return [`stopped: ${kFaults[frame.fault]}`, "bad"];
+    if (frame.paused) return ["paused", "held"];
+    if (frame.silent) return ["stopped: nobody at the wheel", "held"];
+    const who = frame.holder === 0 ? "by itself" : this.link.holds ? "you steer" : "another page steers";
+    return [frame.moving ? `walking, ${who}` : `standing, ${who}`, "good"];
+  }
+
+  showFrame(frame, world) {
+    this.frame = frame;
+    this.showState(...this.state(frame));
+    const pressed = { "gait-free": !frame.wave && !frame.tripod, "gait-wave": frame.wave, "gait-tripod": frame.tripod, pause: frame.paused };
+    for (const [id, on] of Object.entries(pressed)) {
+      const text = String(on);
+      if ($(id).getAttribute("aria-pressed") !== text) $(id).setAttribute("aria-pressed", text);
+    }
+    $("gait-type").textContent = frame.type === "–" ? "–" : `Type ${frame.type}`;
+    $("gait-words").textContent = `CCN ${frame.ccn}${kTypeWords[frame.type] ? " · " + kTypeWords[frame.type] : ""}`;
+    const spin = frame.rho < 1e-6;
+    const where = spin ? "turns on the spot" : `radius ${Math.abs(frame.k) < 1e-4 ? "∞" : (frame.rho / frame.k).toFixed(2) + " m"}, crab ${((frame.crab * 180) / Math.PI).toFixed(0)}°`;
+    $("heading").textContent = where;
+    $("twist").textContent = `vx ${hundredths(frame.vx)}  vy ${hundredths(frame.vy)} m/s  ωz ${hundredths(frame.wz)} rad/s`;
+    const text = `${frame.time.toFixed(1)} s, ${frame.path.toFixed(2)} m, ${frame.factor.toFixed(2)} × real time, ${world.fps.toFixed(0)} fps`;
+    if (this.shownFacts !== text) $("world").title = this.shownFacts = text;
+  }
+
+  notice(words) {
+    $("notice").textContent = words;
+    $("notice").classList.add("on");
+    clearTimeout(this.noticeTimer);
+    this.noticeTimer = setTimeout(() => $("notice").classList.remove("on"), 3500);
+  }
+}

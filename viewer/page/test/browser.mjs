@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A server of `hexagait steer`, and pages of it in Chromium.
+import { spawn } from "node:child_process";
+import { once } from "node:events";
+import { chromium } from "playwright-core";
+
+export async function startServer(...options) {
+  const child = spawn(process.env.HEXAGAIT, ["steer", "--quiet", ...options], { stdio: ["ignore", "pipe", "inherit"] });
+  const [line] = await once(child.stdout, "data");
+  const url = String(line).trim();
+  return {
+    url, port: new URL(url).port,
+    async stop() {
+      if (child.exitCode !== null) return;
+      child.kill("SIGINT");
+      await once(child, "exit");
+    },
+  };
+}
+
+export const startBrowser = () =>
+  chromium.launch({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+  });
+
+/** A page that shows a walking robot. Whatever goes wrong in it is in `problems`. */
+export async function openPage(browser, url, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, ...options });
+  const page = await context.newPage();
+  page.problems = [];
+  page.on("pageerror", (error) => page.problems.push(error.message));
+  page.on("console", (message) => message.type() === "error" && page.problems.push(message.text()));
+  page.on("request", (request) => new URL(request.url()).host === new URL(url).host || page.problems.push(`asks ${request.url()}`));
+  const begin = Date.now();
+  await page.goto(url);
+  await page.waitForFunction(() => window.hexagait?.view().drawn > 0, null, { timeout: 15000 });
+  page.drawnAfter = Date.now() - begin;
+  return page;
+}
+
+/** The newest frame; after a new scene there is none for a moment. */
+export async function frameOf(page) {
+  for (const end = Date.now() + 5000; Date.now() < end; await page.waitForTimeout(20)) {
+    const frame = await page.evaluate(() => window.hexagait.frame());
+    if (frame) return frame;
+  }
+  throw new Error("no frame within 5 s");
+}
+
+/** Waits until a function of the frame, and of `argument`, is true. It is asked here: the page's policy
+ *  lets no text be run there. */
+export async function until(page, condition, argument) {
+  for (const end = Date.now() + 8000; Date.now() < end; await page.waitForTimeout(30))
+    if (condition(await frameOf(page), argument)) return;
+  throw new Error(`not within 8 s: ${condition}; the last frame: ${JSON.stringify({ ...(await frameOf(page)), legs: [] })}`);
+}
