@@ -47,7 +47,9 @@ viewer::SessionOptions options(const SteerArguments& arguments) {
   result.heading = result.simulation.trial.schedule.front().heading;
   result.speed_factor = speed(arguments.speed);
   result.robots = known_names("robots", ".urdf");
-  result.load = [](const std::string& name) { return load_robot(name, {}, true); };
+  result.load = [](const std::string& name) {
+    return viewer::LoadedRobot{load_robot(name, {}, true), given_params(name, "", {})};
+  };
   return result;
 }
 

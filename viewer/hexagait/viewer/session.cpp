@@ -257,7 +257,13 @@ void Session::obey(Reset) {
 
 void Session::obey(const Restart& restart) {
   SessionOptions next = options_;
-  if (restart.robot) next.robot = options_.load(*restart.robot);
+  if (restart.robot) {
+    LoadedRobot robot = options_.load(*restart.robot);
+    next.robot = std::move(robot.model);
+    next.simulation.params = robot.params;
+    next.simulation.physics_dt = next.simulation.plant.world.contact_threshold = kDerived;
+    recording::complete(next.simulation, next.robot);
+  }
   if (restart.terrain) next.simulation.terrain = *restart.terrain;
   if (restart.seed) next.simulation.seed = *restart.seed;
   options_ = std::move(next);

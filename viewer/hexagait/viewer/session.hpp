@@ -19,6 +19,12 @@
 
 namespace hexagait::viewer {
 
+/// A robot, and what is given of its parameters; the others are kDerived.
+struct LoadedRobot {
+  RobotModel model;
+  RobotParams params;
+};
+
 struct SessionOptions {
   RobotModel robot;
   recording::Simulation simulation;
@@ -26,7 +32,7 @@ struct SessionOptions {
   double speed_factor = 1.0;        ///< simulated seconds per second
   double frame_rate = 60.0;         ///< pose frames per second, at most [1/s]
   std::vector<std::string> robots;  ///< names that a client may ask for
-  std::function<RobotModel(const std::string& name)> load;  ///< of these names
+  std::function<LoadedRobot(const std::string& name)> load;  ///< of these names
 };
 
 /// How a session has gone so far.

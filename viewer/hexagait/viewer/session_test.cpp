@@ -20,9 +20,9 @@ SessionOptions options(const char* terrain = "flat") {
   result.robot = load_urdf(HEXAGAIT_ROBOTS "/argos.urdf");
   result.simulation.terrain = sim3d::parse_terrain(terrain);
   result.heading = heading_control::Heading::straight(0.0);
-  result.robots = {"argos", "quadruped"};
+  result.robots = {"argos", "mite", "quadruped"};
   result.load = [](const std::string& name) {
-    return load_urdf(std::string(HEXAGAIT_ROBOTS "/") + name + ".urdf");
+    return LoadedRobot{load_urdf(std::string(HEXAGAIT_ROBOTS "/") + name + ".urdf"), {}};
   };
   return result;
 }
@@ -177,6 +177,17 @@ TEST(Session, BeginsAnewOnOtherGroundWithAnotherRobot) {
   EXPECT_EQ(frame_when(session, [](const PoseFrame& f) { return f.scene == 3; }).legs.size(), 4);
   EXPECT_THAT(session.receive(client, R"({"type":"reset"})"), IsEmpty());
   EXPECT_EQ(frame_when(session, [](const PoseFrame& f) { return f.scene == 4; }).legs.size(), 6);
+}
+
+// 200 g after 50 kg: by its own parameters it is on its way, by those of argos it would jump.
+TEST(Session, GivesEachRobotItsOwnParameters) {
+  Session session(options("flat"));
+  const ClientId client = session.enter();
+  EXPECT_THAT(session.receive(client, R"({"type":"restart","robot":"mite"})"), IsEmpty());
+  const PoseFrame frame =
+      frame_when(session, [](const PoseFrame& f) { return f.scene == 2 && f.path > 0.01; });
+  EXPECT_GT(frame.path, 0.01);
+  EXPECT_LT(frame.X_WB.p.z(), 0.1);
 }
 
 TEST(Session, ScramblesTheLegsWhereItStands) {

@@ -13,9 +13,6 @@ double clamped(double value, double bound) { return std::clamp(value, -bound, bo
 PlanarTwist wanted_velocity(const BaseAutoCommand& command, const BaseGoal& goal, double dt,
                             const BaseParams& params) {
   const double advance = std::max(std::min(goal.advance, command.max_advance), command.min_advance);
-  const double speed = approach_speed(advance, params.acceleration, params.advance_rate,
-                                      std::min(params.max_speed, command.max_speed), dt);
-
   const double rate = decay_share(params.correction_rate * dt) / dt;
   Vector2 v = rate * command.correction.v;
   if (v.norm() > params.correction_speed) v *= params.correction_speed / v.norm();
@@ -24,6 +21,10 @@ PlanarTwist wanted_velocity(const BaseAutoCommand& command, const BaseGoal& goal
     v +=
         command.sway *
         (approach_speed(way, params.acceleration, params.advance_rate, params.max_speed, dt) / way);
+  // What a correction moves the base ahead, its path need not.
+  const double ahead = std::max(0.0, v.dot(command.path.v));
+  const double most = std::min(params.max_speed, std::max(0.0, command.max_speed - ahead));
+  const double speed = approach_speed(advance, params.acceleration, params.advance_rate, most, dt);
   return {speed * command.path.v + v, speed * command.path.w + w};
 }
 
