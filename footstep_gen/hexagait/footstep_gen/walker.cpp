@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/executor/check_params.hpp>
 #include <hexagait/footstep_gen/detail/rear_edge.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
@@ -163,7 +164,37 @@ void Walker::steer(const heading_control::Heading& heading) noexcept {
       tracker_.update({portable::atan2(X_OB.R(1, 0), X_OB.R(0, 0)), X_OB.p.head<2>()});
 }
 
+// Those that leave the centre of mass over three feet or more: all together, else as many as do, the
+// one with the greatest lag first.
+LegSet Walker::steady(LegSet legs) const noexcept {
+  if (crawls()) return legs;
+  const int n = model_->num_legs();
+  const Matrix3& R_OB = record_.state.X_OB.R;
+  LegArray<Vector3> feet(n);
+  for (LegId i = 0; i < n; ++i) feet[i] = R_OB * executor_.legs()[i].p_BF;
+  const Vector2 p_M = (R_OB * model_->p_BM).head<2>();
+  const LegSet support = executor_.support();
+  const auto stands = [&](LegSet lifted) {
+    const SupportPolygon rest = support_polygon(feet, without(support, lifted));
+    return rest.size > 2 && stability_margin(rest, p_M) > 0.0;
+  };
+  if (stands(legs)) return legs;
+  LegSet some, left = legs;
+  while (!left.empty()) {
+    LegId next = -1;
+    for (LegId i = 0; i < n; ++i)
+      if (left.contains(i) &&
+          (next < 0 || record_.gait_input.lag[i] > record_.gait_input.lag[next]))
+        next = i;
+    left.erase(next);
+    some.insert(next);
+    if (!stands(some)) some.erase(next);
+  }
+  return some;
+}
+
 void Walker::decide() noexcept {
+  using Filter = gait_state::LegFilter;
   X_BG_ = crawls() ? pose(record_.deviation) : Pose{};
   record_.gait_input = gait_input(*model_, record_.arc, executor_, params_.step, X_BG_);
   record_.gate = crawls() ? gate() : LiftGateDecision{};
@@ -171,6 +202,7 @@ void Walker::decide() noexcept {
                                               .rear_edge = record_.rear_edge,
                                               .walking = record_.heading.moving(),
                                               .unsure = executor_.unsure(),
+                                              .steady = Filter::of<Walker, &Walker::steady>(*this),
                                               .crawls = crawls(),
                                               .open = record_.gate.open};
   const gait_state::StepDecision decision =

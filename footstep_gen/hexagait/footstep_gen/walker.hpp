@@ -75,6 +75,7 @@ class Walker {
   void decide() noexcept;
   [[nodiscard]] LegSet may_crawl() const noexcept;
   LiftGateDecision gate() noexcept;
+  [[nodiscard]] LegSet steady(LegSet legs) const noexcept;
   void command() noexcept;
   void execute() noexcept;
   void stop(Fault fault) noexcept;

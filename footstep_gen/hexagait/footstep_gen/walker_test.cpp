@@ -198,6 +198,29 @@ TEST(WalkerGait, FourLegsCrawl) {
   }
 }
 
+// The centre of mass beside the tripod that would stand: legs wait that the gait state lets step. On
+// the robot that is modelled as it is, nobody waits.
+TEST(WalkerGait, LiftsNoLegThatTheCentreOfMassNeeds) {
+  for (const double aside : {0.0, 0.3}) {
+    RobotModel model = testing::robot_of(6);
+    model.p_BM += Vector3(aside, aside, 0.0);
+    Walk walk(model, 0.0);
+    int unsteady = 0, waits = 0;
+    for (int k = 0; k < 2000; ++k) {
+      const TickRecord& record = walk.tick(Heading::straight(0.0));
+      waits += record.waits.size();
+      if (record.lifts.empty()) continue;
+      LegArray<Vector3> feet(6);
+      for (LegId i = 0; i < 6; ++i) feet[i] = record.legs[i].p_BF;
+      const LegSet rest = without(LegSet::all(6), record.gait_input.airborne | record.lifts);
+      unsteady += stability_margin(support_polygon(feet, rest), model.p_BM.head<2>()) < 0.0;
+    }
+    EXPECT_EQ(unsteady, 0) << aside;
+    EXPECT_EQ(walk.lifts.size() > 10, aside == 0.0) << walk.lifts.size();
+    EXPECT_EQ(waits > 0, aside > 0.0) << waits;
+  }
+}
+
 // With one leg in the air at a time, the slowest of all gaits, each of n legs lifts every n T,
 // T ≈ 0.85 s for a step in the air and its ramps of load: 5.1 s.
 constexpr double kLongestWait = 6 * 0.85;

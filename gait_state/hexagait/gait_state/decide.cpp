@@ -25,7 +25,10 @@ StepDecision decide(GaitMemory& memory, const GaitInput& legs, const StepConditi
   result.lifts = memory.stepper.update(
       {.time = conditions.time,
        .airborne = legs.airborne,
-       .may_step = beside_sure_legs(may_step, conditions.unsure, used.stepping, legs.lag.size()),
+       .may_step = conditions.steady(without(beside_sure_legs(may_step, conditions.unsure,
+                                                              used.stepping, legs.lag.size()),
+                                             legs.airborne)) |
+                   (may_step & legs.airborne),
        .rear_edge = conditions.rear_edge},
       used);
   result.waits = without(may_step, result.lifts);

@@ -9,6 +9,29 @@
 /// (stepper.hpp). Every walker of the library decides by this one function.
 namespace hexagait::gait_state {
 
+/// Of legs that may step by the gait state, those that may by whatever else there is: balance, say.
+/// Refers to what it was made of.
+class LegFilter {
+ public:
+  LegFilter() = default;
+  template <class Object, LegSet (Object::*kFilter)(LegSet) const noexcept>
+  [[nodiscard]] static LegFilter of(const Object& object) noexcept {
+    LegFilter filter;
+    filter.object_ = &object;
+    filter.call_ = [](const void* it, LegSet legs) noexcept {
+      return (static_cast<const Object*>(it)->*kFilter)(legs);
+    };
+    return filter;
+  }
+  [[nodiscard]] LegSet operator()(LegSet legs) const noexcept {
+    return call_ != nullptr && !legs.empty() ? call_(object_, legs) : legs;
+  }
+
+ private:
+  const void* object_ = nullptr;
+  LegSet (*call_)(const void*, LegSet) noexcept = nullptr;
+};
+
 /// What decides beside the legs themselves.
 struct StepConditions {
   double time = 0.0;    ///< see StepperInput
@@ -18,6 +41,9 @@ struct StepConditions {
   /// Legs that count as standing and feel nothing at this moment: after a bounce, or on an edge. No
   /// neighbour of theirs lifts until they feel the ground again, or count as off it.
   LegSet unsure = {};
+
+  /// Asked about the legs that would lift now.
+  LegFilter steady = {};
 
   /// A robot that lifts one leg at a time: those that lift are `open`, whatever relations and stepper.
   bool crawls = false;

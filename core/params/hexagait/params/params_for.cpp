@@ -103,7 +103,7 @@ constexpr Parameter kParameters[] = {
     {"swing.even_load_rate", "1/s", 6.45, rate,
      [](P& p) -> double& { return p.swing.even_load_rate; }},
     {"swing.lift_time", "s", kLiftTime, time, [](P& p) -> double& { return p.swing.lift_time; }},
-    {"swing.max_rise", "m/s", 0.75, joint_rise, [](P& p) -> double& { return p.swing.max_rise; }},
+    {"swing.max_rise", "m/s", 0.96, joint_rise, [](P& p) -> double& { return p.swing.max_rise; }},
     {"swing.transfer_time", "s", 1.18, time, [](P& p) -> double& { return p.swing.transfer_time; }},
     {"swing.max_speed", "m/s", kSidewaysSpeed, speed,
      [](P& p) -> double& { return p.swing.max_speed; }},
