@@ -9,7 +9,7 @@
 namespace hexagait::footstep_gen {
 namespace {
 
-constexpr LegId kLeftFore = 0, kRightFore = 1, kLeftHind = 2, kRightHind = 3;
+constexpr LegId kLeftFore = 0, kRightFore = 1, kLeftHind = 2;
 
 /// A quadruped, its centre of mass over the crossing of its diagonals; all legs stand and may step.
 LiftGateInput quadruped() {
