@@ -26,6 +26,7 @@ LegSet feet_in_contact(const GroundTruth& truth) {
 RefereeParams completed(const RefereeParams& params, const RobotModel& model) {
   RobotParams all;
   all.referee = params;
+  if (is_complete(all, "referee.")) return params;
   return completed(all, model).referee;
 }
 

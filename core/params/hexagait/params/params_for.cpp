@@ -359,6 +359,12 @@ RobotParams params_for(const RobotModel& model, double gravity) {
   return params;
 }
 
+bool is_complete(RobotParams params, std::string_view group) {
+  return std::ranges::none_of(kParameters, [&](const Parameter& one) {
+    return std::string_view(one.name).starts_with(group) && is_derived(one.in(params));
+  });
+}
+
 RobotParams completed(RobotParams params, const RobotModel& model, double gravity) {
   const auto open = [&params](const Parameter& one) { return is_derived(one.in(params)); };
   if (std::ranges::none_of(kParameters, open)) return params;

@@ -6,6 +6,7 @@
 #include <hexagait/model/robot_model.hpp>
 #include <hexagait/params/robot_params.hpp>
 #include <span>
+#include <string_view>
 
 namespace hexagait {
 
@@ -82,6 +83,9 @@ struct Parameter {
 
 /// All lengths, times, forces and gains of a robot, by parameters(). A pure function.
 [[nodiscard]] RobotParams params_for(const RobotModel& model, double gravity = kStandardGravity);
+
+/// true if none of the parameters whose names begin with `group`, such as "referee.", is kDerived.
+[[nodiscard]] bool is_complete(RobotParams params, std::string_view group);
 
 /// The parameters that are kDerived are set to params_for(model)'s; the others stay.
 [[nodiscard]] RobotParams completed(RobotParams params, const RobotModel& model,
