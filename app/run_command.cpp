@@ -4,6 +4,7 @@
 
 #include <hexagait/figures/gnuplot.hpp>
 #include <hexagait/recording/action_figure.hpp>
+#include <hexagait/recording/simulation.hpp>
 #include <hexagait/sim3d/world.hpp>
 
 #include "action_words.hpp"
@@ -64,10 +65,7 @@ int preview_command(const ActionArguments& arguments) {
 
 // The first interrupt stops the action, so that the robot comes to a stance; the second ends all.
 walk::ActionSummary simulate(const ActionInput& input, double seconds, Figure& figure, bool quiet) {
-  sim3d::WorldParams params = input.plant.world;
-  static_cast<PlantParams&>(params) = input.params.plant;
-  if (!is_derived(input.plant.world.contact_threshold))
-    params.contact_threshold = input.plant.world.contact_threshold;
+  sim3d::WorldParams params = recording::world_params(input.plant, input.params.plant);
   params.seed = input.seed;
   params.start_height = input.start.height;
   sim3d::World world(input.robot, input.terrain, params, input.start.q);

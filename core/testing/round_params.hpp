@@ -8,9 +8,7 @@
 
 namespace hexagait::testing {
 
-/// Parameters for tests that compute with them: round numbers, fit for a robot of 1 m and 50 kg.
-inline RobotParams round_params() {
-  RobotParams p;
+inline void round_walk(RobotParams& p) {
   p.step.stroke = 0.20;
   p.step.height = 0.10;
   p.step.max_height = 0.22;
@@ -64,7 +62,9 @@ inline RobotParams round_params() {
   p.tolerance.slide = 0.001;
   p.tolerance.in_a_row = 0.001;
   p.tolerance.turn_arm = 0.5;
+}
 
+inline void round_script(RobotParams& p) {
   p.script.profile_height = 0.08;
   p.script.footstep_speed = 0.65;
   p.script.foot_speed = 0.3;
@@ -87,7 +87,9 @@ inline RobotParams round_params() {
   p.script.near_plan = 0.03;
   p.script.height_lost = 0.05;
   p.script.narrow_margin = 0.01;
+}
 
+inline void round_plant_and_referee(RobotParams& p) {
   p.plant.longest_step = 0.002;
   p.plant.servo_kp = 4000.0;
   p.plant.servo_kd = 100.0;
@@ -106,6 +108,14 @@ inline RobotParams round_params() {
   p.referee.fall_speed = 0.6;
   p.referee.progress = 0.05;
   p.referee.patience = 10.0;
+}
+
+/// Parameters for tests that compute with them: round numbers, fit for a robot of 1 m and 50 kg.
+inline RobotParams round_params() {
+  RobotParams p;
+  round_walk(p);
+  round_script(p);
+  round_plant_and_referee(p);
   return p;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <hexagait/balance/support_polygon.hpp>
+#include <hexagait/footstep_gen/detail/stance_from_above.hpp>
 #include <hexagait/footstep_gen/generator.hpp>
 #include <hexagait/posture/arc_optimum.hpp>
 #include <hexagait/posture/plane_fit.hpp>
@@ -49,22 +50,16 @@ struct Stance {
   [[nodiscard]] bool has_inside() const { return edges.size() > 2; }
 };
 
-Vector2 seen_from_above(const Matrix3& R_OB, const Vector3& v_B) { return (R_OB * v_B).head<2>(); }
-
 Stance stance_of(const RobotModel& model, const PathArc& arc, const Executor& executor,
                  LegSet support, const Matrix3& R_OB) {
-  LegArray<Vector3> feet(model.num_legs());
-  for (LegId i = 0; i < feet.size(); ++i) feet[i] = R_OB * executor.legs()[i].p_BF;
+  const auto [feet, p_M] = stance_from_above(model, executor, R_OB);
   const SupportPolygon polygon = support_polygon(feet, support);
 
   const Vector2 along = direction_at(arc, model.p_BM);
-  const Vector2 p_M = seen_from_above(R_OB, model.p_BM);
-  const Vector2 direction = seen_from_above(R_OB, {along.x(), along.y(), 0.0});
+  const Vector2 direction = (R_OB * Vector3(along.x(), along.y(), 0.0)).head<2>();
   Stance stance{InlineArray<Edge, kMaxLegs>(polygon.size)};
   for (int k = 0; k < polygon.size; ++k) {
-    const Vector2& from = polygon.vertices[static_cast<std::size_t>(k)];
-    const Vector2& to = polygon.vertices[static_cast<std::size_t>((k + 1) % polygon.size)];
-    const Vector2 inwards = perpendicular(to - from).normalized();
+    const auto [from, inwards] = edge_of(polygon, k);
     stance.edges[k] = {inwards, inwards.dot(p_M - from), -inwards.dot(direction)};
   }
   return stance;

@@ -13,23 +13,13 @@ constexpr double kSwayWeight = 0.2, kAlongWeight = 0.02;  // of (crawl 1)
 constexpr double kDetour = 2.0;  // of the sway across the path, over the shortest one
 constexpr double kBeyond = 1.2;  // the base goes farther than the gate asks, of the margin
 
-struct Edge {
-  Vector2 from, inwards;
-};
-
-Edge edge_of(const SupportPolygon& polygon, int k) {
-  const Vector2& from = polygon.vertices[static_cast<std::size_t>(k)];
-  const Vector2& to = polygon.vertices[static_cast<std::size_t>((k + 1) % polygon.size)];
-  return {from, perpendicular(to - from).normalized()};
-}
-
 // The shortest displacement along ± `direction` after which a point is `margin` inside all edges, if
 // there is one.
 std::optional<Vector2> way_across(const SupportPolygon& polygon, const Vector2& point,
                                   const Vector2& direction, double margin) {
   double least = -std::numeric_limits<double>::infinity(), most = -least;
   for (int k = 0; k < polygon.size; ++k) {
-    const Edge edge = edge_of(polygon, k);
+    const PolygonEdge edge = edge_of(polygon, k);
     const double lack = margin - edge.inwards.dot(point - edge.from);
     const double gain = edge.inwards.dot(direction);
     if (gain > 0.0)
@@ -50,7 +40,7 @@ Vector2 way_inside(const SupportPolygon& polygon, const Vector2& point, double m
   Vector2 there = point;
   for (int round = 0; round < kRounds; ++round) {
     for (int k = 0; k < polygon.size; ++k) {
-      const Edge edge = edge_of(polygon, k);
+      const PolygonEdge edge = edge_of(polygon, k);
       there += std::max(0.0, margin - edge.inwards.dot(there - edge.from)) * edge.inwards;
     }
   }
@@ -95,6 +85,25 @@ LiftGateDecision LiftGate::update(const LiftGateInput& in) noexcept {
   if (stability_margin(rest, in.p_M) >= in.margin) decision.open.insert(next);
   decision.sway = sway_for(in, rest, kBeyond * in.margin);
   return decision;
+}
+
+LegSet steady_lifts(const LegArray<Vector3>& feet, const Vector2& p_M, LegSet support, LegSet legs,
+                    const LegArray<double>& lag) noexcept {
+  const auto stands = [&](LegSet lifted) {
+    const SupportPolygon rest = support_polygon(feet, without(support, lifted));
+    return rest.size > 2 && stability_margin(rest, p_M) > 0.0;
+  };
+  if (stands(legs)) return legs;
+  LegSet some;
+  while (!legs.empty()) {
+    LegId next = -1;
+    for (LegId i = 0; i < feet.size(); ++i)
+      if (legs.contains(i) && (next < 0 || lag[i] > lag[next])) next = i;
+    legs.erase(next);
+    some.insert(next);
+    if (!stands(some)) some.erase(next);
+  }
+  return some;
 }
 
 void sway(BaseAutoCommand& base, const Vector2& sway) noexcept {

@@ -45,6 +45,12 @@ struct LiftGate {
   LiftGateDecision update(const LiftGateInput& in) noexcept;
 };
 
+/// Of legs that the gait state lets lift, those that leave the centre of mass over three feet or more:
+/// all together, else as many as do, the one with the greatest lag first.
+/// @param feet, p_M  as in LiftGateInput
+[[nodiscard]] LegSet steady_lifts(const LegArray<Vector3>& feet, const Vector2& p_M, LegSet support,
+                                  LegSet legs, const LegArray<double>& lag) noexcept;
+
 /// The base's motion while it crawls: `sway` besides the path [m, body frame]. It is not taken back
 /// by the advance along the path, and not added to it.
 void sway(BaseAutoCommand& base, const Vector2& sway) noexcept;

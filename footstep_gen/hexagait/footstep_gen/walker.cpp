@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/executor/check_params.hpp>
 #include <hexagait/footstep_gen/detail/rear_edge.hpp>
+#include <hexagait/footstep_gen/detail/stance_from_above.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/gait_state/ring.hpp>
 #include <hexagait/math/trigonometry.hpp>
@@ -46,7 +46,7 @@ Pose pose(const PlanarTwist& displacement) {
 }  // namespace
 
 WalkerParams completed(WalkerParams params, const RobotModel& model) {
-  RobotParams all;
+  RobotParams all = none_derived();
   all.step = params.step;
   all.tolerance = params.tolerance;
   all.tolerance.tie = params.gait.tie_tolerance;
@@ -159,58 +159,33 @@ void Walker::steer(const heading_control::Heading& heading) noexcept {
     record_.rear_edge = rear_edge(record_.arc, record_.rear_edge);
     tracker_.follow(record_.arc.per_metre);
   }
-  const Pose& X_OB = record_.state.X_OB;
-  record_.deviation =
-      tracker_.update({portable::atan2(X_OB.R(1, 0), X_OB.R(0, 0)), X_OB.p.head<2>()});
-}
-
-// Those that leave the centre of mass over three feet or more: all together, else as many as do, the
-// one with the greatest lag first.
-LegSet Walker::steady(LegSet legs) const noexcept {
-  if (crawls()) return legs;
-  const int n = model_->num_legs();
-  const Matrix3& R_OB = record_.state.X_OB.R;
-  LegArray<Vector3> feet(n);
-  for (LegId i = 0; i < n; ++i) feet[i] = R_OB * executor_.legs()[i].p_BF;
-  const Vector2 p_M = (R_OB * model_->p_BM).head<2>();
-  const LegSet support = executor_.support();
-  const auto stands = [&](LegSet lifted) {
-    const SupportPolygon rest = support_polygon(feet, without(support, lifted));
-    return rest.size > 2 && stability_margin(rest, p_M) > 0.0;
-  };
-  if (stands(legs)) return legs;
-  LegSet some, left = legs;
-  while (!left.empty()) {
-    LegId next = -1;
-    for (LegId i = 0; i < n; ++i)
-      if (left.contains(i) &&
-          (next < 0 || record_.gait_input.lag[i] > record_.gait_input.lag[next]))
-        next = i;
-    left.erase(next);
-    some.insert(next);
-    if (!stands(some)) some.erase(next);
-  }
-  return some;
+  record_.deviation = tracker_.update(in_plane(record_.state.X_OB));
 }
 
 void Walker::decide() noexcept {
-  using Filter = gait_state::LegFilter;
   X_BG_ = crawls() ? pose(record_.deviation) : Pose{};
   record_.gait_input = gait_input(*model_, record_.arc, executor_, params_.step, X_BG_);
   record_.gate = crawls() ? gate() : LiftGateDecision{};
-  const gait_state::StepConditions conditions{.time = time(),
-                                              .rear_edge = record_.rear_edge,
-                                              .walking = record_.heading.moving(),
-                                              .unsure = executor_.unsure(),
-                                              .steady = Filter::of<Walker, &Walker::steady>(*this),
-                                              .crawls = crawls(),
-                                              .open = record_.gate.open};
+  const gait_state::StepConditions conditions{
+      .time = time(),
+      .rear_edge = record_.rear_edge,
+      .walking = record_.heading.moving(),
+      .unsure = executor_.unsure(),
+      .steady = [this](LegSet legs) { return steady(legs); },
+      .crawls = crawls(),
+      .open = record_.gate.open};
   const gait_state::StepDecision decision =
       gait_state::decide(memory_, record_.gait_input, conditions, params_.gait, params_.stepper);
   record_.gait = decision.gait;
   record_.lifts = decision.lifts;
   record_.waits = decision.waits;
   record_.rule1_violations = decision.rule1_violations;
+}
+
+LegSet Walker::steady(LegSet legs) const noexcept {
+  if (crawls()) return legs;
+  const auto [feet, p_M] = stance_from_above(*model_, executor_, record_.state.X_OB.R);
+  return steady_lifts(feet, p_M, executor_.support(), legs, record_.gait_input.lag);
 }
 
 // Rule 1.
@@ -225,18 +200,17 @@ LiftGateDecision Walker::gate() noexcept {
   const int n = model_->num_legs();
   const Matrix3& R_OB = record_.state.X_OB.R;
   const Vector2 path = record_.arc.per_metre.v;
-  LiftGateInput in{.feet = LegArray<Vector3>(n),
-                   .p_M = (R_OB * model_->p_BM).head<2>(),
+  const auto [feet, p_M] = stance_from_above(*model_, executor_, R_OB);
+  LiftGateInput in{.feet = feet,
+                   .p_M = p_M,
                    .support = executor_.support(),
                    .may_step = may_crawl(),
                    .lag = record_.gait_input.lag,
                    .along = LegArray<double>(n, 0.0),
                    .path = (R_OB * Vector3(path.x(), path.y(), 0.0)).head<2>(),
                    .margin = params_.step.lift_margin};
-  for (LegId i = 0; i < n; ++i) {
-    in.feet[i] = R_OB * executor_.legs()[i].p_BF;
+  for (LegId i = 0; i < n; ++i)
     in.along[i] = record_.arc.direction[i].dot(model_->legs[i].p_BC.head<2>());
-  }
   LiftGateDecision decision = gate_.update(in);
   decision.sway = R_OB.topLeftCorner<2, 2>().transpose() * decision.sway;
   return decision;

@@ -22,15 +22,14 @@ StepDecision decide(GaitMemory& memory, const GaitInput& legs, const StepConditi
   LegSet may_step = conditions.crawls ? conditions.open : result.gait.may_step;
   if (!conditions.walking) may_step = {};
   const StepperParams used = conditions.crawls ? StepperParams{} : stepper;
-  result.lifts = memory.stepper.update(
-      {.time = conditions.time,
-       .airborne = legs.airborne,
-       .may_step = conditions.steady(without(beside_sure_legs(may_step, conditions.unsure,
-                                                              used.stepping, legs.lag.size()),
-                                             legs.airborne)) |
-                   (may_step & legs.airborne),
-       .rear_edge = conditions.rear_edge},
-      used);
+  const LegSet sure = beside_sure_legs(may_step, conditions.unsure, used.stepping, legs.lag.size());
+  LegSet lifts = without(sure, legs.airborne);
+  if (conditions.steady && !lifts.empty()) lifts = conditions.steady(lifts);
+  result.lifts = memory.stepper.update({.time = conditions.time,
+                                        .airborne = legs.airborne,
+                                        .may_step = lifts | (may_step & legs.airborne),
+                                        .rear_edge = conditions.rear_edge},
+                                       used);
   result.waits = without(may_step, result.lifts);
   result.rule1_violations = rule_1_violations(result.lifts, legs.airborne, legs.lag.size());
   return result;

@@ -2,35 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <hexagait/gait_state/latch.hpp>
 #include <hexagait/gait_state/stepper.hpp>
 
 /// Which legs lift in this tick: the gait state says who may (latch.hpp), the stepper who does
 /// (stepper.hpp). Every walker of the library decides by this one function.
 namespace hexagait::gait_state {
-
-/// Of legs that may step by the gait state, those that may by whatever else there is: balance, say.
-/// Refers to what it was made of.
-class LegFilter {
- public:
-  LegFilter() = default;
-  template <class Object, LegSet (Object::*kFilter)(LegSet) const noexcept>
-  [[nodiscard]] static LegFilter of(const Object& object) noexcept {
-    LegFilter filter;
-    filter.object_ = &object;
-    filter.call_ = [](const void* it, LegSet legs) noexcept {
-      return (static_cast<const Object*>(it)->*kFilter)(legs);
-    };
-    return filter;
-  }
-  [[nodiscard]] LegSet operator()(LegSet legs) const noexcept {
-    return call_ != nullptr && !legs.empty() ? call_(object_, legs) : legs;
-  }
-
- private:
-  const void* object_ = nullptr;
-  LegSet (*call_)(const void*, LegSet) noexcept = nullptr;
-};
 
 /// What decides beside the legs themselves.
 struct StepConditions {
@@ -42,8 +20,9 @@ struct StepConditions {
   /// neighbour of theirs lifts until they feel the ground again, or count as off it.
   LegSet unsure = {};
 
-  /// Asked about the legs that would lift now.
-  LegFilter steady = {};
+  /// Of legs that would lift now, those that balance allows; empty: all. It must fit into a
+  /// std::function without allocation: capture no more than a pointer.
+  std::function<LegSet(LegSet)> steady = {};
 
   /// A robot that lifts one leg at a time: those that lift are `open`, whatever relations and stepper.
   bool crawls = false;

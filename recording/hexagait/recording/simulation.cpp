@@ -5,11 +5,16 @@
 
 namespace hexagait::recording {
 
+sim3d::WorldParams world_params(const PlantSetup& setup, const PlantParams& robot) {
+  sim3d::WorldParams params = setup.world;
+  static_cast<PlantParams&>(params) = robot;
+  if (!is_derived(setup.world.contact_threshold))
+    params.contact_threshold = setup.world.contact_threshold;
+  return params;
+}
+
 sim3d::WorldParams world_params(const Simulation& simulation) {
-  sim3d::WorldParams params = simulation.plant.world;
-  static_cast<PlantParams&>(params) = simulation.params.plant;
-  if (!is_derived(simulation.plant.world.contact_threshold))
-    params.contact_threshold = simulation.plant.world.contact_threshold;
+  sim3d::WorldParams params = world_params(simulation.plant, simulation.params.plant);
   params.physics_dt = simulation.physics_dt;
   params.control_dt = simulation.control_dt;
   params.seed = simulation.seed;

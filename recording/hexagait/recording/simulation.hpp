@@ -27,6 +27,9 @@ struct Simulation {
 /// Sets what is kDerived of steps of time and plant, for reports.
 void complete(Simulation& simulation, const RobotModel& robot);
 
+/// The world of a robot with these drives and feet, but for what the setup says of it.
+[[nodiscard]] sim3d::WorldParams world_params(const PlantSetup& setup, const PlantParams& robot);
+
 /// The world and the controller of a simulation.
 [[nodiscard]] sim3d::WorldParams world_params(const Simulation& simulation);
 [[nodiscard]] footstep_gen::WalkerParams walker_params(const Simulation& simulation);

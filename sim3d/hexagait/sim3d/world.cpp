@@ -176,7 +176,7 @@ double physics_step_for(double control_dt, double longest) {
 }
 
 WorldParams completed(WorldParams params, const RobotModel& robot) {
-  RobotParams all;
+  RobotParams all = none_derived();
   all.plant = params;
   static_cast<PlantParams&>(params) = completed(all, robot, params.gravity).plant;
   if (is_derived(params.physics_dt))

@@ -24,10 +24,6 @@ sim3d::WorldParams world_params_at(const recording::Simulation& simulation,
   return params;
 }
 
-PlanarPose in_plane(const Pose& X_WB) {
-  return {portable::atan2(X_WB.R(1, 0), X_WB.R(0, 0)), X_WB.p.head<2>()};
-}
-
 bool lies(const Pose& X_WB) { return X_WB.R(2, 2) < portable::cos(walk::kFallTilt); }
 
 }  // namespace

@@ -13,8 +13,6 @@ namespace {
 
 using footstep_gen::TickRecord;
 
-PlanarPose in_plane(const Pose& X_WB) { return {roll_pitch_yaw(X_WB.R).z(), X_WB.p.head<2>()}; }
-
 LegSet feet_in_contact(const GroundTruth& truth) {
   LegSet feet;
   for (LegId i = 0; i < truth.feet.size(); ++i) feet.set(i, truth.feet[i].in_contact);
@@ -24,9 +22,8 @@ LegSet feet_in_contact(const GroundTruth& truth) {
 }  // namespace
 
 RefereeParams completed(const RefereeParams& params, const RobotModel& model) {
-  RobotParams all;
+  RobotParams all = none_derived();
   all.referee = params;
-  if (is_complete(all, "referee.")) return params;
   return completed(all, model).referee;
 }
 

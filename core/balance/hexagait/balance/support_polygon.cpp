@@ -53,6 +53,12 @@ bool drop_superfluous(SupportPolygon& hull) {
 
 }  // namespace
 
+PolygonEdge edge_of(const SupportPolygon& polygon, int k) noexcept {
+  const Vector2& from = polygon.vertices[static_cast<std::size_t>(k)];
+  const Vector2& to = polygon.vertices[static_cast<std::size_t>((k + 1) % polygon.size)];
+  return {from, perpendicular(to - from).normalized()};
+}
+
 SupportPolygon support_polygon(std::span<const Vector2> points) noexcept {
   assert(points.size() <= kMaxLegs);
   SupportPolygon hull;

@@ -15,6 +15,14 @@ struct SupportPolygon {
   int size = 0;                            ///< number of vertices; 1: a point, 2: a segment
 };
 
+struct PolygonEdge {
+  Vector2 from;     ///< [m]
+  Vector2 inwards;  ///< unit normal
+};
+
+/// The edge from vertex k to the next.
+[[nodiscard]] PolygonEdge edge_of(const SupportPolygon& polygon, int k) noexcept;
+
 /// Hull of up to kMaxLegs points [m], by Andrew's monotone chain. Duplicates and points within 1 nm
 /// of an edge are dropped, so that a hull of three or more vertices has an interior. (Three feet in
 /// a row on each side of the body are the usual case.)

@@ -21,7 +21,7 @@ constexpr double kMostLag = 0.25;
 }  // namespace
 
 ExecutorParams completed(ExecutorParams params, const RobotModel& model) {
-  RobotParams all;
+  RobotParams all = none_derived();
   all.swing = params.swing;
   all.base = params.base;
   all.spring = {params.virtual_model.frequency, params.virtual_model.turn_frequency};

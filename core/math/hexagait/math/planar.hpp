@@ -33,6 +33,11 @@ struct PlanarPose {
   }
 };
 
+/// A pose seen from above: its yaw and its place.
+[[nodiscard]] inline PlanarPose in_plane(const Pose& X) {
+  return {portable::atan2(X.R(1, 0), X.R(0, 0)), X.p.head<2>()};
+}
+
 /// a.inverse() * b: the pose b as seen from a.
 [[nodiscard]] inline PlanarPose between(const PlanarPose& a, const PlanarPose& b) {
   const auto [s, c] = portable::sincos(a.angle);

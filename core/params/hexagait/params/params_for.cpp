@@ -359,10 +359,10 @@ RobotParams params_for(const RobotModel& model, double gravity) {
   return params;
 }
 
-bool is_complete(RobotParams params, std::string_view group) {
-  return std::ranges::none_of(kParameters, [&](const Parameter& one) {
-    return std::string_view(one.name).starts_with(group) && is_derived(one.in(params));
-  });
+RobotParams none_derived() {
+  RobotParams params;
+  for (const Parameter& one : kParameters) one.in(params) = 0.0;
+  return params;
 }
 
 RobotParams completed(RobotParams params, const RobotModel& model, double gravity) {

@@ -6,7 +6,6 @@
 #include <hexagait/model/robot_model.hpp>
 #include <hexagait/params/robot_params.hpp>
 #include <span>
-#include <string_view>
 
 namespace hexagait {
 
@@ -84,8 +83,9 @@ struct Parameter {
 /// All lengths, times, forces and gains of a robot, by parameters(). A pure function.
 [[nodiscard]] RobotParams params_for(const RobotModel& model, double gravity = kStandardGravity);
 
-/// true if none of the parameters whose names begin with `group`, such as "referee.", is kDerived.
-[[nodiscard]] bool is_complete(RobotParams params, std::string_view group);
+/// Nothing is kDerived: for completed() of some groups, put into it, that asks nothing of the model if
+/// these are complete. The other groups are of no use.
+[[nodiscard]] RobotParams none_derived();
 
 /// The parameters that are kDerived are set to params_for(model)'s; the others stay.
 [[nodiscard]] RobotParams completed(RobotParams params, const RobotModel& model,

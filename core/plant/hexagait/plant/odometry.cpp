@@ -149,7 +149,7 @@ Twist twist_between(const Pose& X_OB, const Pose& Y_OB, double dt) {
 }  // namespace
 
 Odometry::Odometry(const RobotModel& model, const ToleranceParams& tolerance) : model_(&model) {
-  RobotParams all;
+  RobotParams all = none_derived();
   all.tolerance = tolerance;
   tolerance_ = completed(all, model).tolerance;
 }

@@ -8,7 +8,7 @@ namespace hexagait {
 namespace {
 
 RunnerParams completed(RunnerParams params, const RobotModel& model) {
-  RobotParams all;
+  RobotParams all = none_derived();
   all.tolerance = params.tolerance;
   all.script = params.sequencer.planner.script;
   all = hexagait::completed(all, model);

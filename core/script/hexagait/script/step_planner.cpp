@@ -81,7 +81,7 @@ Vector3 passing(const Vector3& before, const Vector3& after) {
 }  // namespace
 
 PlannerParams completed(PlannerParams params, const RobotModel& model) {
-  RobotParams all;
+  RobotParams all = none_derived();
   all.script = params.script;
   params.script = completed(all, model).script;
   return params;
