@@ -93,7 +93,7 @@ TEST(Referee, HasNoSlipOfFeetThatNeverTouch) {
   HandMadeWalk walk;
   for (LegId i = 0; i < 6; ++i) walk.lift(i);
   walk.tick(kFlight);
-  const Summary s = Referee(walk.model, walk.truth, kDt).summary();
+  const Summary s = Referee(walk.model, walk.truth, kDt, testing::round_params().referee).summary();
   EXPECT_EQ(s.stances, 0);
   EXPECT_TRUE(std::isnan(s.slip_mean));
   EXPECT_TRUE(std::isnan(s.slip_p95));
