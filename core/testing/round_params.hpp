@@ -39,6 +39,7 @@ inline void round_walk(RobotParams& p) {
   p.swing.regain_time = 0.06;
   p.swing.slide_distance = 0.002;
   p.swing.slide_time = 0.1;
+  p.swing.slide_patience = 1.0;
   p.swing.search_time = 1.5;
   p.swing.follow_rate = 10.0;
   p.swing.effort_time = 0.1;

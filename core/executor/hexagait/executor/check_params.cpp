@@ -23,6 +23,7 @@ void check_swing(Violations& violations, const SwingParams& p) {
       {"search_time [s]", p.search_time},
       {"slide_distance [m]", p.slide_distance},
       {"slide_time [s]", p.slide_time},
+      {"slide_patience [s]", p.slide_patience},
   };
   const NamedNumber not_negative[] = {
       {"even_load_rate [1/s]", p.even_load_rate}, {"clearance_share", p.clearance_share},

@@ -14,9 +14,14 @@ void FootholdWatch::watch(const LegArray<Vector3>& slide_O, LegSet stand, double
   const double of_new = fallen * params.slide_time / dt;
   for (LegId i = 0; i < ahead_O_.size(); ++i) {
     ahead_O_[i] += of_new * (slide_O[i] - before_O_[i]) - fallen * ahead_O_[i];
-    if (!stand.contains(i)) ahead_O_[i].setZero();
     before_O_[i] = slide_O[i];
-    giving_way_.set(i, ahead_O_[i].norm() > params.slide_distance);
+    if (!stand.contains(i)) {
+      ahead_O_[i].setZero();
+      waited_[i] = 0.0;
+    }
+    if (ahead_O_[i].norm() <= params.slide_distance) continue;
+    waited_[i] += dt;
+    giving_way_.set(i, waited_[i] <= params.slide_patience);
   }
 }
 

@@ -14,11 +14,12 @@ namespace hexagait {
 ///     T ds̄/dt = s − s̄,   |s − s̄| > slide_distance                                  (foothold 1)
 ///
 /// So a foot that slides steadily at speed v is found if T v > slide_distance, and one that has moved
-/// once and stands again is forgotten.
+/// once and stands again is forgotten. A foothold gives way for slide_patience in all: after that the
+/// robot walks on, as on ice or loose ground, where all feet slide.
 class FootholdWatch {
  public:
   explicit FootholdWatch(int legs = 0)
-      : ahead_O_(legs, Vector3::Zero()), before_O_(legs, Vector3::Zero()) {}
+      : ahead_O_(legs, Vector3::Zero()), before_O_(legs, Vector3::Zero()), waited_(legs, 0.0) {}
 
   /// @param slide_O  what each foot has slid, in odom [m]; no legs: none is known to slide
   /// @param stand    legs whose foothold counts; of the others, it begins anew
@@ -31,6 +32,7 @@ class FootholdWatch {
  private:
   LegArray<Vector3> ahead_O_;   ///< s − s̄ [m]
   LegArray<Vector3> before_O_;  ///< s, a tick ago [m]
+  LegArray<double> waited_;     ///< how long each foothold has given way in all [s]
   LegSet giving_way_;
 };
 

@@ -72,6 +72,29 @@ TEST(FootholdWatch, BeginsAnewWithEveryFoothold) {
   EXPECT_LT(foot.slide(Vector3::Zero(), 0.1), 0.0);
 }
 
+// On ice every foot slides, always: the robot must not wait for ever. The patience is each
+// foothold's own.
+TEST(FootholdWatch, LosesPatienceWithAFootThatSlidesOn) {
+  for (const double dt : {0.001, 0.020}) {
+    SlidingFoot foot;
+    foot.dt = dt;
+    const Vector3 v(10.0 * foot.params.slide_distance / foot.params.slide_time, 0.0, 0.0);
+    const double found = foot.slide(v, 0.5 * foot.params.slide_patience);
+    EXPECT_TRUE(foot.watch.giving_way().contains(2));
+    static_cast<void>(foot.slide(v, 0.5 * foot.params.slide_patience + found - 2.0 * dt));
+    EXPECT_TRUE(foot.watch.giving_way().contains(2));
+    static_cast<void>(foot.slide(v, 3.0 * dt));
+    EXPECT_TRUE(foot.watch.giving_way().empty());
+    static_cast<void>(foot.slide(v, 5.0 * foot.params.slide_patience));
+    EXPECT_TRUE(foot.watch.giving_way().empty());
+
+    foot.stand.erase(2);
+    static_cast<void>(foot.slide(v, dt));
+    foot.stand.insert(2);
+    EXPECT_GT(foot.slide(v, 0.5 * foot.params.slide_patience), 0.0) << "the next foothold";
+  }
+}
+
 TEST(FootholdWatch, AccusesNobodyIfSlidesAreNotKnown) {
   SlidingFoot foot;
   EXPECT_GT(foot.slide({1.0, 0.0, 0.0}, 0.1), 0.0);

@@ -132,6 +132,8 @@ constexpr Parameter kParameters[] = {
     {"swing.slide_distance", "m", 0.0091, reach,
      [](P& p) -> double& { return p.swing.slide_distance; }},
     {"swing.slide_time", "s", 0.31, time, [](P& p) -> double& { return p.swing.slide_time; }},
+    {"swing.slide_patience", "s", 3.1, time,
+     [](P& p) -> double& { return p.swing.slide_patience; }},
     {"swing.search_time", "s", 4.65, time, [](P& p) -> double& { return p.swing.search_time; }},
     {"swing.follow_rate", "1/s", 3.2, rate, [](P& p) -> double& { return p.swing.follow_rate; }},
     {"swing.effort_time", "s", 0.31, time, [](P& p) -> double& { return p.swing.effort_time; }},

@@ -95,6 +95,8 @@ struct SwingParams {
   /// feet that roll off an edge are found too late.
   double slide_distance = kDerived;
   double slide_time = kDerived;  ///< [s]
+  /// The robot waits for so long, in all, for a foothold that gives way [s].
+  double slide_patience = kDerived;
   /// true (walking): a foot that collides retreats, and one that finds no ground tries a closer
   /// place. false (scripts): the foot searches along the surface normal, and the sequencer decides.
   bool reflexes = true;
