@@ -259,5 +259,17 @@ TEST(RandomActions, KeepTheLawsInEveryTick) {
   EXPECT_TRUE(kept);
 }
 
+// In each period of three ticks the foot searches, lands and begins to take load: no search lasts, no
+// contact is lost, and the step must end all the same.
+TEST(RandomActions, EndThoughAContactFlickersInTimeWithTheTicks) {
+  const ActionSpec stands_and_steps = {
+      {{.kind = 0}, {.kind = 0, .leg = 5, .frame = 2, .flags = 6, .seed = 408}}};
+  const Spec spec = {.period = 16,
+                     .action = stands_and_steps,
+                     .other = {{}},
+                     .events = {{.tick = 31, .kind = 2, .leg = 5, .length = 4}}};
+  EXPECT_TRUE(rc::check([&] { Play{spec}(); }));
+}
+
 }  // namespace
 }  // namespace hexagait

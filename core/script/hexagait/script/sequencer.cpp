@@ -148,15 +148,15 @@ void Sequencer::advance_step(Executor& executor, const StepStart& start, double 
 // Detects feet that do not find the ground, lose it, or cannot reach their targets.
 void Sequencer::watch(const Executor& executor, double dt) noexcept {
   regaining_ = uncertain_ = false;
-  LegId doubtful = -1;  // has contact that is not confirmed yet
+  LegId doubtful = -1;  // should stand, and does not yet
   for (LegId i = 0; i < beyond_.size(); ++i) {
     const LegLane& lane = executor.legs()[i];
     if (lane.exhausted && !given_up_.contains(i))
       return fail(lane.lost ? Cause::lost_contact : Cause::no_contact, i);
     regaining_ = regaining_ || (lane.lost && lane.phase == LegPhase::search);
-    if (!lane.confirmed && lane.phase == LegPhase::support) doubtful = i;
-    uncertain_ = uncertain_ || regaining_ ||
-                 (lane.phase == LegPhase::support && !lane.supports(executor.params().swing));
+    const bool loads = lane.phase == LegPhase::support && !lane.supports(executor.params().swing);
+    if (loads || lane.phase == LegPhase::search) doubtful = i;
+    uncertain_ = uncertain_ || regaining_ || loads;
 
     const bool moves = lane.phase == LegPhase::follow || lane.on_ground();
     beyond_[i] = moves && !executor.reachable(i) ? beyond_[i] + dt : 0.0;
