@@ -13,6 +13,7 @@
 #include <hexagait/pc04/pc04.hpp>
 #include <hexagait/pc04/snapshots.hpp>
 #include <hexagait/pc04/wave_family.gp.hpp>
+#include <limits>
 
 namespace hexagait::experiments {
 namespace {
@@ -73,24 +74,28 @@ void measure(Segment& segment, const recording::Recording& recording, double str
   segment.period = (end - begin) / static_cast<double>(lifts.size() - 1);
 
   int count = 0;
-  std::vector<double> air(6, 0.0);
-  const double early = 0.25 * segment.period;
-  for (const recording::Recording::Step& step : recording.steps()) {
-    if (step.lift < begin - early || step.lift >= end - early || std::isnan(step.land)) continue;
-    const double phase = (step.lift - begin) / segment.period;
-    const double error = wrapped(phase - due_phase(step.leg, segment.duty_factor));
-    segment.phase_error = std::max(segment.phase_error, std::abs(error));
-    air[static_cast<std::size_t>(step.leg)] += step.land - step.lift;
-    segment.step_time += step.land - step.lift;
-    ++count;
-  }
-  segment.step_time /= count;
-  for (const double in_air : air) {
-    const double duty = 1.0 - in_air / (end - begin);
+  for (LegId leg = 0; leg < 6; ++leg) {
+    // From a leg's first lift to its last, so in whole periods of its own.
+    double first = std::numeric_limits<double>::quiet_NaN(), last = first, air = 0.0, in_air = 0.0;
+    for (const recording::Recording::Step& step : recording.steps()) {
+      if (step.leg != leg || step.lift < segment.to - kJudged || step.lift >= segment.to) continue;
+      const double phase = (step.lift - begin) / segment.period;
+      const double error = wrapped(phase - due_phase(leg, segment.duty_factor));
+      segment.phase_error = std::max(segment.phase_error, std::abs(error));
+      if (std::isnan(first)) first = step.lift;
+      last = step.lift;
+      air += in_air;
+      if (std::isnan(step.land)) continue;
+      in_air = step.land - step.lift;
+      segment.step_time += in_air;
+      ++count;
+    }
+    const double duty = 1.0 - air / (last - first);
     segment.least_duty = std::min(segment.least_duty, duty);
     segment.greatest_duty = std::max(segment.greatest_duty, duty);
     segment.mean_duty += duty / 6.0;
   }
+  segment.step_time /= count;
   const Vector3 way = sample_at(recording, end).X_WB.p - sample_at(recording, begin).X_WB.p;
   segment.speed = way.head<2>().norm() / (end - begin);
   segment.speed_by_law = speed_by_law(segment, stroke);
