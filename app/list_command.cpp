@@ -86,13 +86,15 @@ List actions() {
 List terrains() {
   List list;
   const auto add = [&](std::string_view syntax, std::string_view meaning, bool side_view) {
-    list.text += fmt::format("{:<10} {}\n", syntax, meaning);
+    list.text += fmt::format("{:<23} {}\n", syntax, meaning);
     list.json.push_back({{"syntax", syntax}, {"meaning", meaning}, {"side_view", side_view}});
   };
   for (const auto& terrain : sim3d::known_terrains()) add(terrain.syntax, terrain.meaning, false);
   list.text += fmt::format("\nIn the side view (--robot {}):\n", kGenghis);
   for (const auto& terrain : sim2d::known_terrains2d()) add(terrain.syntax, terrain.meaning, true);
-  list.text += "\nH is a height of 0 or more: 0.1, 10cm or 100mm.\n";
+  list.text +=
+      "\nH is a height: 0.1, 10cm or 100mm; the second number may be left out. Kinds add up:\n"
+      "slope:10deg+boxes:5cm.\n";
   return list;
 }
 

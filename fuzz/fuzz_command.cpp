@@ -25,8 +25,7 @@ bool is_sound(const ChangeGait& gait) {
   return gait.stepper.duty_factor >= 0.5 && gait.stepper.duty_factor < 1.0;
 }
 bool is_sound(const Restart& restart) {
-  return (!restart.terrain ||
-          (restart.terrain->height >= 0.0 && restart.terrain->height <= kMaxTerrain)) &&
+  return (!restart.terrain || restart.terrain->roughness() <= kMaxTerrain) &&
          (!restart.robot || restart.robot->size() <= 64);
 }
 template <class Plain>

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <hexagait/figures/csv.hpp>
 #include <hexagait/sim2d/terrain2d.hpp>
@@ -47,8 +49,8 @@ class Recording {
   };
 
   explicit Recording(const sim3d::Terrain& terrain)
-      : cell_(terrain.spec().cell),
-        highest_(terrain.spec().height),
+      : cell_(drawn_cell(terrain)),
+        highest_(std::isfinite(terrain.highest()) ? terrain.highest() : 1.0),
         height_([terrain](double x, double y) { return terrain.height_at(x, y); }) {}
   explicit Recording(const sim2d::Terrain2d& terrain)
       : cell_(0.02), highest_(terrain.spec().height), height_([terrain](double x, double y) {
@@ -71,6 +73,15 @@ class Recording {
   [[nodiscard]] figures::Csv gait_table() const;
 
  private:
+  // A square that is level, or small.
+  [[nodiscard]] static double drawn_cell(const sim3d::Terrain& terrain) {
+    const auto level = [](const sim3d::TerrainPart& part) {
+      return part.kind == sim3d::TerrainKind::boxes || part.kind == sim3d::TerrainKind::steps ||
+             part.kind == sim3d::TerrainKind::step;
+    };
+    constexpr double kSmall = 0.05;
+    return std::ranges::all_of(terrain.spec().parts, level) ? terrain.spec().cell : kSmall;
+  }
   void watch_steps(double time, const footstep_gen::TickRecord& record, const GroundTruth& truth);
   void watch_gait(double time, const gait_state::GaitDecision& gait);
 

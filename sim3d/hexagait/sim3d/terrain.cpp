@@ -1,118 +1,254 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
+#include <hexagait/math/trigonometry.hpp>
 #include <hexagait/sim/random.hpp>
 #include <hexagait/sim3d/terrain.hpp>
 #include <hexagait/text/invalid_input.hpp>
-#include <hexagait/text/nearest_word.hpp>
-#include <hexagait/text/quantity.hpp>
+#include <limits>
+#include <numbers>
 
 namespace hexagait::sim3d {
 namespace {
 
-constexpr int kPadCells = 2;  // the start pad covers cells −2 … 1 of both axes
+constexpr double kPad = 0.6;               // half an edge of the start pad [m]
+constexpr double kAbyss = -1.0;            // level of ditches, and between stones [m]
+constexpr double kDitchPeriod = 1.5;       // of which the ditch is a part [m]
+constexpr int kFlight = 10, kLanding = 5;  // steps of the stairs
+constexpr double kTwist = 1.0;  // way in which ground that rises sideways becomes a plane [m]
+constexpr double kIce = 0.6;    // edge of the squares of ice [m]
+constexpr std::uint32_t kDrawsPerCell = 4;
 
-// The kinds of terrain with a height.
-struct HighKind {
-  std::string_view name;
-  TerrainSpec::Kind kind;
-};
-constexpr std::array kHighKinds = {HighKind{"boxes", TerrainSpec::Kind::boxes},
-                                   HighKind{"steps", TerrainSpec::Kind::steps},
-                                   HighKind{"step", TerrainSpec::Kind::step}};
+// Does cell i reach into the start pad?
+bool on_pad(const CellAxis& axis, int i) {
+  constexpr double kTie = 1e-6;
+  return axis.edge(i + 1) > -kPad + kTie && axis.edge(i) < kPad - kTie;
+}
 
-[[noreturn]] void refuse(std::string_view text, const std::string& reason) {
-  std::string message = "terrain \"";
-  message.append(text).append("\": ").append(reason).append("; known terrains:");
-  for (const TerrainDescription& known : known_terrains()) {
-    message.append(" ").append(known.syntax);
+// The first cell ahead of the start pad.
+int first_ahead(const CellAxis& axis) {
+  const int i = axis.index(kPad);
+  return on_pad(axis, i) ? i + 1 : i;
+}
+
+// How far from the pad, along one axis.
+double beyond_pad(double coordinate) { return std::max(0.0, std::abs(coordinate) - kPad); }
+
+bool has_cells(TerrainKind kind) {
+  using enum TerrainKind;
+  return kind == boxes || kind == step || kind == stairs || kind == ditches || kind == stones;
+}
+
+bool is_random(TerrainKind kind) {
+  using enum TerrainKind;
+  return kind == boxes || kind == steps || kind == rubble || kind == ice;
+}
+
+// Steps up and down again: level, as a number of steps, of the n-th step ahead.
+int stairs_level(int n) {
+  const int k = n % (2 * (kFlight + kLanding));
+  if (k < kFlight) return k + 1;
+  if (k < kFlight + kLanding) return kFlight;
+  return std::max(0, 2 * kFlight + kLanding - 1 - k);
+}
+
+// Lowest and highest level.
+std::pair<double, double> bounds(const TerrainPart& part) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const double size = part.size;
+  switch (part.kind) {
+    case TerrainKind::flat:
+    case TerrainKind::ice:
+      return {0.0, 0.0};
+    case TerrainKind::stairs:
+      return {std::min(0.0, kFlight * size), std::max(0.0, kFlight * size)};
+    case TerrainKind::ditches:
+    case TerrainKind::stones:
+      return {kAbyss, 0.0};
+    case TerrainKind::slope:
+      return {-kInfinity, kInfinity};
+    default:
+      return {std::min(0.0, size), std::max(0.0, size)};
   }
-  throw InvalidInput(message + ", with H a height such as 0.10 or 10cm");
 }
-
-double height_of(std::string_view text, std::string_view height) {
-  const auto [metres, problem] = parse_quantity(height, Dimension::length);
-  if (!problem.empty()) refuse(text, problem);
-  if (metres < 0.0) refuse(text, "the height must not be negative");
-  return metres;
-}
-
-int floor_divide(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
 
 }  // namespace
 
-const std::vector<TerrainDescription>& known_terrains() {
-  static const std::vector<TerrainDescription> known = {
-      {"flat", "the plane z = 0"},
-      {"boxes:H", "0.3 m cells at random levels from 0 to H, with vertical faces between them"},
-      {"steps:H", "the same levels as a heightfield: 25 mm wide ramps instead of vertical faces"},
-      {"step:H", "one step up to H, 0.6 m ahead of where the robot starts"},
-  };
-  return known;
+double CellAxis::edge(int i) const {
+  if (odd == 0.0) return i * even;
+  const int pairs = i >= 0 ? i / 2 : -((1 - i) / 2);
+  return pairs * (even + odd) + (i == 2 * pairs ? 0.0 : even);
 }
 
-TerrainSpec parse_terrain(std::string_view text) {
-  const std::size_t colon = text.find(':');
-  const std::string_view kind = text.substr(0, colon);
-  if (text == "flat") return {};
-  const auto known = std::ranges::find(kHighKinds, kind, &HighKind::name);
-  if (known == kHighKinds.end()) {
-    const std::vector<std::string> kinds = {"flat", "boxes", "steps", "step"};
-    refuse(text, "unknown kind" + did_you_mean(kind, kinds));
-  }
-  if (colon == std::string_view::npos) refuse(text, "the height is missing");
-
-  TerrainSpec spec;
-  spec.kind = known->kind;
-  spec.height = height_of(text, text.substr(colon + 1));
-  return spec;
+double CellAxis::middle(int i) const {
+  return odd == 0.0 ? (i + 0.5) * even : 0.5 * (edge(i) + edge(i + 1));
 }
 
-std::string to_string(const TerrainSpec& spec) {
-  if (spec.kind == TerrainSpec::Kind::flat) return "flat";
-  std::array<char, 32> digits{};
-  const auto [end, error] =
-      std::to_chars(digits.data(), digits.data() + digits.size(), spec.height);
-  const auto known = std::ranges::find(kHighKinds, spec.kind, &HighKind::kind);
-  return std::string(known->name) + ":" + std::string(digits.data(), end);
+int CellAxis::index(double coordinate) const {
+  if (odd == 0.0) return static_cast<int>(std::floor(coordinate / even));
+  const int pairs = static_cast<int>(std::floor(coordinate / (even + odd)));
+  return 2 * pairs + (coordinate >= edge(2 * pairs + 1) ? 1 : 0);
 }
 
 Terrain::Terrain(const TerrainSpec& spec, std::uint64_t seed) : spec_(spec), seed_(seed) {
-  if (!(spec.height >= 0.0) || !std::isfinite(spec.height)) {
-    throw InvalidInput("terrain height " + std::to_string(spec.height) +
-                       " m: must be finite and not negative");
-  }
   if (!(spec.cell > 0.0) || !std::isfinite(spec.cell)) {
     throw InvalidInput("terrain cell " + std::to_string(spec.cell) +
                        " m: must be finite and positive");
   }
+  // Its words say which dimensions are wrong.
+  static_cast<void>(parse_terrain(to_string(spec)));
+
+  std::uint32_t draws = 0;
+  for (const TerrainPart& part : spec_.parts) {
+    if (part.kind == TerrainKind::flat) continue;
+    layers_.push_back(layer(part, draws));
+    if (is_random(part.kind)) draws += kDrawsPerCell;
+    const auto [lowest, highest] = bounds(part);
+    lowest_ += lowest;
+    highest_ += highest;
+    has_ice_ = has_ice_ || part.kind == TerrainKind::ice;
+  }
+  cells_ = {{spec_.cell, 0.0}, {spec_.cell, 0.0}};
+  int high = 0, of_cells = 0;
+  for (const Layer& one : layers_) {
+    if (one.part.kind == TerrainKind::ice) continue;
+    ++high;
+    if (!has_cells(one.part.kind)) continue;
+    ++of_cells;
+    cells_ = one.cells;
+  }
+  if (high > 0) surface_ = high == 1 && of_cells == 1 ? Surface::cells : Surface::samples;
+}
+
+Terrain::Layer Terrain::layer(const TerrainPart& part, std::uint32_t draws) const {
+  Layer result{.part = part, .cells = {{spec_.cell, 0.0}, {spec_.cell, 0.0}}, .draws = draws};
+  switch (part.kind) {
+    case TerrainKind::stairs:
+      result.cells.x = {part.extent, 0.0};
+      break;
+    case TerrainKind::ditches:
+      result.cells.x = {kDitchPeriod - part.size, part.size};
+      break;
+    case TerrainKind::stones:
+      result.cells.x = result.cells.y = {part.size, part.extent};
+      break;
+    case TerrainKind::slope: {
+      const portable::SinCos angle = portable::sincos(part.size);
+      const portable::SinCos direction = portable::sincos(part.extent);
+      result.along = angle.s / angle.c * direction.c;
+      result.across = angle.s / angle.c * direction.s;
+      break;
+    }
+    case TerrainKind::ice:
+      result.cells = {{kIce, 0.0}, {kIce, 0.0}};
+      break;
+    default:
+      break;
+  }
+  return result;
+}
+
+double Terrain::random(const Layer& layer, std::uint32_t which, int i, int j) const {
+  // The pair of indices is the draw, so every cell has its own random numbers.
+  const std::uint64_t high = static_cast<std::uint32_t>(i), low = static_cast<std::uint32_t>(j);
+  return random_u01(seed_, RandomStream::terrain, layer.draws + which, (high << 32) | low);
+}
+
+// Of a part that has one level in each cell.
+double Terrain::level(const Layer& layer, int i, int j) const {
+  const auto& [x, y] = layer.cells;
+  const double size = layer.part.size;
+  const bool pad_x = on_pad(x, i), pad = pad_x && on_pad(y, j);
+  switch (layer.part.kind) {
+    case TerrainKind::boxes:
+    case TerrainKind::steps:
+      return pad ? 0.0 : size * random(layer, 0, i, j);
+    case TerrainKind::step:
+      return i >= first_ahead(x) ? size : 0.0;
+    case TerrainKind::stairs:
+      return i >= first_ahead(x) ? size * stairs_level(i - first_ahead(x)) : 0.0;
+    case TerrainKind::ditches:
+      return i % 2 != 0 && !pad_x ? kAbyss : 0.0;
+    case TerrainKind::stones:
+      return x.odd > 0.0 && (i % 2 != 0 || j % 2 != 0) && !pad ? kAbyss : 0.0;
+    default:
+      return 0.0;
+  }
+}
+
+// Level and tilt are such that no corner is below 0 or above the height.
+double Terrain::rubble(const Layer& layer, double x, double y) const {
+  const int i = layer.cells.x.index(x), j = layer.cells.y.index(y);
+  if (on_pad(layer.cells.x, i) && on_pad(layer.cells.y, j)) return 0.0;
+  const double size = layer.part.size, half = 0.5 * layer.cells.x.even;
+  // Rise from the middle to an edge.
+  const double rise_x = 0.25 * size * (2.0 * random(layer, 1, i, j) - 1.0);
+  const double rise_y = 0.25 * size * (2.0 * random(layer, 2, i, j) - 1.0);
+  const double corner = std::abs(rise_x) + std::abs(rise_y);
+  const double middle = corner + (size - 2.0 * corner) * random(layer, 0, i, j);
+  return middle + rise_x * ((x - layer.cells.x.edge(i)) / half - 1.0) +
+         rise_y * ((y - layer.cells.y.edge(j)) / half - 1.0);
+}
+
+double Terrain::height(const Layer& layer, double x, double y) const {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  const auto& [kind, size, extent] = layer.part;
+  const double ahead = std::max(0.0, x - kPad);
+  switch (kind) {
+    case TerrainKind::slope:
+      return layer.along * ahead + layer.across * y * std::min(ahead / kTwist, 1.0);
+    case TerrainKind::waves: {
+      const double of_x = 1.0 - portable::cos(kTurn * beyond_pad(x) / extent);
+      const double of_y = 1.0 - portable::cos(kTurn * beyond_pad(y) / extent);
+      return 0.25 * size * (of_x + of_y);
+    }
+    case TerrainKind::ramps: {
+      const double t = 0.5 * ahead / extent, phase = t - std::floor(t);
+      return size * (phase < 0.5 ? 2.0 * phase : 2.0 - 2.0 * phase);
+    }
+    case TerrainKind::rubble:
+      return rubble(layer, x, y);
+    default:
+      return level(layer, layer.cells.x.index(x), layer.cells.y.index(y));
+  }
 }
 
 double Terrain::level(int i, int j) const {
-  const auto on_pad = [](int k) { return -kPadCells <= k && k < kPadCells; };
-  if (spec_.kind == TerrainSpec::Kind::flat || (on_pad(i) && on_pad(j))) return 0.0;
-
-  if (spec_.kind == TerrainSpec::Kind::step) return i >= kPadCells ? spec_.height : 0.0;
-
-  // The pair of indices is the draw, so every cell has its own random number.
-  const std::uint64_t high = static_cast<std::uint32_t>(i), low = static_cast<std::uint32_t>(j);
-  return spec_.height * random_u01(seed_, RandomStream::terrain, 0, (high << 32) | low);
-}
-
-int Terrain::cell_index(double coordinate) const {
-  return static_cast<int>(std::floor(coordinate / spec_.cell));
+  if (surface_ != Surface::cells) return 0.0;
+  double sum = 0.0;
+  for (const Layer& one : layers_)
+    if (has_cells(one.part.kind)) sum += level(one, i, j);
+  return sum;
 }
 
 double Terrain::height_at(double x, double y) const {
-  if (spec_.kind == TerrainSpec::Kind::steps) return heightfield_at(x, y);
-  return level(cell_index(x), cell_index(y));
+  switch (surface_) {
+    case Surface::plane:
+      return 0.0;
+    case Surface::cells:
+      return level(cells_.x.index(x), cells_.y.index(y));
+    case Surface::samples:
+      return heightfield_at(x, y);
+  }
+  return 0.0;
+}
+
+double Terrain::friction_at(double x, double y, double otherwise) const {
+  for (const Layer& one : layers_) {
+    if (one.part.kind != TerrainKind::ice) continue;
+    const int i = one.cells.x.index(x), j = one.cells.y.index(y);
+    const bool pad = on_pad(one.cells.x, i) && on_pad(one.cells.y, j);
+    if (!pad && random(one, 0, i, j) < 0.5) return one.part.size;
+  }
+  return otherwise;
 }
 
 double Terrain::sample(int a, int b) const {
-  return level(floor_divide(a, kSamplesPerCell), floor_divide(b, kSamplesPerCell));
+  const double x = (a + 0.5) * sample_spacing(), y = (b + 0.5) * sample_spacing();
+  double sum = 0.0;
+  for (const Layer& one : layers_) sum += height(one, x, y);
+  return sum;
 }
 
 double Terrain::heightfield_at(double x, double y) const {

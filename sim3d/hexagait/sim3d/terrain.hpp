@@ -3,69 +3,66 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
-#include <string_view>
+#include <hexagait/sim3d/terrain_spec.hpp>
 #include <vector>
 
 namespace hexagait::sim3d {
 
-/// The kind and dimensions of a terrain.
-struct TerrainSpec {
-  enum class Kind {
-    flat,   ///< the plane z = 0
-    boxes,  ///< square cells at random levels, with vertical faces between them
-    steps,  ///< the same levels as a heightfield, with ramps one sample wide between cells
-    step,   ///< one step up, at the front edge of the start pad
-  };
-  Kind kind = Kind::flat;
-  double height = 0.0;  ///< random levels are uniform in [0, height); or height of the step [m]
-  double cell = 0.3;    ///< edge of a cell [m]
+/// The cells of a terrain along one axis: all of one width, or of two widths in turn. Cell 0 begins
+/// at the origin.
+struct CellAxis {
+  double even = 0.3;  ///< width of cells 0, 2, … [m]
+  double odd = 0.0;   ///< and of the others [m]; 0: there are no others, all cells are even
 
-  friend bool operator==(const TerrainSpec&, const TerrainSpec&) = default;
+  /// Where cell i begins, and cell i − 1 ends [m].
+  [[nodiscard]] double edge(int i) const;
+  [[nodiscard]] double middle(int i) const;  ///< of cell i [m]
+  /// The cell that contains this coordinate [m]; on a boundary, that with the larger index.
+  [[nodiscard]] int index(double coordinate) const;
 };
-
-/// The description of a kind of terrain, for `--help` and messages.
-struct TerrainDescription {
-  std::string_view syntax;   ///< e.g. "boxes:H"
-  std::string_view meaning;  ///< one line
-};
-
-/// All terrains that parse_terrain() understands.
-[[nodiscard]] const std::vector<TerrainDescription>& known_terrains();
-
-/// Reads "flat", "boxes:H", "steps:H" or "step:H", where H is a length such as 0.10, 0.10m, 10cm or
-/// 100mm.
-/// @throws InvalidInput  with the text and the known terrains, for an unknown kind, a missing,
-///         negative or non-finite height, or trailing text
-[[nodiscard]] TerrainSpec parse_terrain(std::string_view text);
-
-/// Inverse of parse_terrain(), exactly.
-[[nodiscard]] std::string to_string(const TerrainSpec& spec);
 
 /// An unbounded terrain: its height is a pure function of position, spec and seed.
 ///
-/// Cell (i, j) covers [i·cell, (i+1)·cell) × [j·cell, (j+1)·cell) in the world frame. Its level is
-/// random number (i, j) of RandomStream::terrain, independent of the order of queries. For a step,
-/// it is 0 or the height. The 4 × 4 cells around the origin are the start pad, at level 0.
-/// Coordinates may be up to 10⁸ cells.
+/// Terrains of one part that has vertical faces (boxes, a step, stairs, ditches, stones) are cells,
+/// each level. Any other is a heightfield: what has vertical faces has ramps one sample wide in a
+/// sum.
+///
+/// Cell (i, j) covers [x(i), x(i+1)) × [y(j), y(j+1)) in the world frame. A random level is number
+/// (i, j) of RandomStream::terrain, independent of the order of queries. Cells that reach into the
+/// square within 0.6 m of the origin are the start pad, at level 0. Coordinates may be up to 10⁸
+/// cells.
 class Terrain {
  public:
-  /// @throws InvalidInput  if the height is negative or not finite, or the cell not positive
+  /// What the ground is made of.
+  enum class Surface : std::uint8_t { plane, cells, samples };
+
+  /// @throws InvalidInput  if a dimension is out of the range that parse_terrain() accepts, or the
+  ///         cell not positive
   Terrain(const TerrainSpec& spec, std::uint64_t seed);
 
   [[nodiscard]] const TerrainSpec& spec() const { return spec_; }
+  [[nodiscard]] Surface surface() const { return surface_; }
 
-  /// Level of a cell [m]; 0 on flat ground and on the start pad.
-  [[nodiscard]] double level(int i, int j) const;
-
-  /// Index, along one axis, of the cell that contains this coordinate [m].
-  [[nodiscard]] int cell_index(double coordinate) const;
-
-  /// Height of the surface at (x, y), world frame [m]. On a boundary between boxes, the level of
+  /// Height of the surface at (x, y), world frame [m]. On a boundary between cells, the level of
   /// the cell with the larger index.
   [[nodiscard]] double height_at(double x, double y) const;
 
-  /// Spacing of the heightfield's samples [m]; the width of the ramps of `steps`.
+  /// Bounds of the height [m]; infinite on slopes.
+  [[nodiscard]] double highest() const { return highest_; }
+  [[nodiscard]] double lowest() const { return lowest_; }
+
+  /// Coefficient of friction at (x, y), if it is `otherwise` where there is no ice.
+  [[nodiscard]] double friction_at(double x, double y, double otherwise) const;
+  [[nodiscard]] bool has_ice() const { return has_ice_; }
+
+  /// The cells of a terrain of cells; of others, those of boxes.
+  [[nodiscard]] const CellAxis& x_axis() const { return cells_.x; }
+  [[nodiscard]] const CellAxis& y_axis() const { return cells_.y; }
+
+  /// Level of a cell of a terrain of cells [m]; 0 of others.
+  [[nodiscard]] double level(int i, int j) const;
+
+  /// Spacing of the heightfield's samples [m]; the width of its ramps.
   [[nodiscard]] double sample_spacing() const { return spec_.cell / kSamplesPerCell; }
 
   /// Height of the heightfield's sample (a, b) [m], at ((a + ½) · spacing, (b + ½) · spacing).
@@ -75,10 +72,31 @@ class Terrain {
   static constexpr int kSamplesPerCell = 12;
 
  private:
+  struct Cells {
+    CellAxis x, y;
+  };
+  /// One part, and what does not depend on the place.
+  struct Layer {
+    TerrainPart part;
+    Cells cells;
+    std::uint32_t draws = 0;           ///< the first of its numbers of RandomStream::terrain
+    double along = 0.0, across = 0.0;  ///< a slope's rise per metre in x and in y
+  };
+
+  [[nodiscard]] Layer layer(const TerrainPart& part, std::uint32_t draws) const;
+  [[nodiscard]] double random(const Layer& layer, std::uint32_t which, int i, int j) const;
+  [[nodiscard]] double level(const Layer& layer, int i, int j) const;
+  [[nodiscard]] double rubble(const Layer& layer, double x, double y) const;
+  [[nodiscard]] double height(const Layer& layer, double x, double y) const;
   [[nodiscard]] double heightfield_at(double x, double y) const;
 
   TerrainSpec spec_;
   std::uint64_t seed_;
+  Surface surface_ = Surface::plane;
+  Cells cells_;
+  std::vector<Layer> layers_;
+  double lowest_ = 0.0, highest_ = 0.0;
+  bool has_ice_ = false;
 };
 
 }  // namespace hexagait::sim3d

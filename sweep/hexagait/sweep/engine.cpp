@@ -161,11 +161,14 @@ Ground slice_ground(const std::string& text) {
   return {to_string(terrain), slice_roughness(terrain)};
 }
 
-// Of a simulator whose terrains have a height.
-template <auto parse>
-Ground high_ground(const std::string& text) {
-  const auto spec = parse(text);
+Ground genghis_ground(const std::string& text) {
+  const sim2d::TerrainSpec2d spec = sim2d::parse_terrain2d(text);
   return {to_string(spec), spec.height};
+}
+
+Ground ode_ground(const std::string& text) {
+  const sim3d::TerrainSpec spec = sim3d::parse_terrain(text);
+  return {to_string(spec), spec.roughness()};
 }
 
 struct Simulator {
@@ -178,24 +181,20 @@ struct Simulator {
 
 const Simulator& of(Engine engine) {
   constexpr std::string_view kHeight = "height of the roughness [m]";
-  static const std::array<Simulator, kEngines.size()> all = {{{"slice",
-                                                               "roughness [units per slice]",
-                                                               kSliceColumns,
-                                                               {"profile"},
-                                                               slice_ground,
-                                                               run_slice},
-                                                              {"box2d",
-                                                               kHeight,
-                                                               kGenghisColumns,
-                                                               {"rough", "step", "steps"},
-                                                               high_ground<sim2d::parse_terrain2d>,
-                                                               run_genghis},
-                                                              {"ode",
-                                                               kHeight,
-                                                               kOdeColumns,
-                                                               {"boxes", "steps"},
-                                                               high_ground<sim3d::parse_terrain>,
-                                                               run_ode}}};
+  static const std::array<Simulator, kEngines.size()> all = {
+      {{"slice",
+        "roughness [units per slice]",
+        kSliceColumns,
+        {"profile"},
+        slice_ground,
+        run_slice},
+       {"box2d", kHeight, kGenghisColumns, {"rough", "step", "steps"}, genghis_ground, run_genghis},
+       {"ode",
+        kHeight,
+        kOdeColumns,
+        {"boxes", "steps", "step", "stairs", "waves", "ramps", "rubble"},
+        ode_ground,
+        run_ode}}};
   return all[static_cast<std::size_t>(engine)];
 }
 

@@ -57,7 +57,7 @@ TEST(Command, ReadsEveryType) {
   EXPECT_EQ(gait.stepper.duty_factor, 0.75);
   parsed<Reset>(R"({"type":"reset"})");
   const auto restart = parsed<Restart>(R"({"type":"restart","terrain":"steps:8cm","seed":3})");
-  EXPECT_EQ(restart.terrain->height, 0.08);
+  EXPECT_EQ(restart.terrain->roughness(), 0.08);
   EXPECT_EQ(restart.seed, 3U);
   EXPECT_FALSE(restart.robot);
   parsed<Beat>(R"({"type":"beat"})");

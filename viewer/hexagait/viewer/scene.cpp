@@ -48,17 +48,53 @@ Json json(const LegModel& leg) {
           {"foot", json(leg.p_BF0)},          {"joints", joints}};
 }
 
+std::vector<double> edges(const sim3d::CellAxis& axis, int first) {
+  std::vector<double> all;
+  for (int i = first; i <= first + GroundPatch::kCells; ++i) all.push_back(rounded(axis.edge(i)));
+  return all;
+}
+
+// Has the ground more than level cells, with or without ramps between them?
+bool is_smooth(const sim3d::Terrain& terrain) {
+  const auto& parts = terrain.spec().parts;
+  const bool steps = parts.size() == 1 && parts[0].kind == sim3d::TerrainKind::steps;
+  return terrain.surface() == sim3d::Terrain::Surface::samples && !steps;
+}
+
+// Four points to a cell.
+std::vector<double> divided(const std::vector<double>& edges) {
+  constexpr int kParts = 4;
+  std::vector<double> all;
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i)
+    for (int k = 0; k < kParts; ++k)
+      all.push_back(rounded(edges[i] + k * (edges[i + 1] - edges[i]) / kParts));
+  return all;
+}
+
+void add_points(const sim3d::Terrain& terrain, const std::vector<double>& x,
+                const std::vector<double>& y, Json& ground) {
+  Json levels = Json::array();
+  for (const double of_x : x)
+    for (const double of_y : y) levels.push_back(rounded(terrain.height_at(of_x, of_y)));
+  ground.update({{"smooth", true}, {"x", x}, {"y", y}, {"levels", levels}});
+}
+
 Json terrains() {
   Json list = Json::array();
   for (const sim3d::TerrainDescription& known : sim3d::known_terrains())
-    list.push_back({{"syntax", known.syntax}, {"meaning", known.meaning}});
+    list.push_back(
+        {{"syntax", known.syntax},
+         {"meaning", known.meaning},
+         {"example", known.example},
+         {"height", sim3d::parse_terrain(std::string(known.example)).roughness() > 0.0}});
   return list;
 }
 
 }  // namespace
 
 GroundPatch GroundPatch::around(const sim3d::Terrain& terrain, const Vector2& p_W) {
-  return {terrain.cell_index(p_W.x()) - kCells / 2, terrain.cell_index(p_W.y()) - kCells / 2};
+  return {terrain.x_axis().index(p_W.x()) - kCells / 2,
+          terrain.y_axis().index(p_W.y()) - kCells / 2};
 }
 
 bool GroundPatch::is_left_by(const sim3d::Terrain& terrain, const Vector2& p_W) const {
@@ -88,20 +124,26 @@ std::string scene_json(const RobotModel& robot, const sim3d::Terrain& terrain, s
 
 std::string ground_json(const sim3d::Terrain& terrain, const GroundPatch& patch,
                         std::uint32_t scene) {
+  Json ground = {{"type", "ground"}, {"scene", scene}};
+  const std::vector<double> x = edges(terrain.x_axis(), patch.i0);
+  const std::vector<double> y = edges(terrain.y_axis(), patch.j0);
+  if (is_smooth(terrain)) {
+    add_points(terrain, divided(x), divided(y), ground);
+    return text_of(ground);
+  }
   Json levels = Json::array();
-  for (int i = 0; i < GroundPatch::kCells; ++i)
-    for (int j = 0; j < GroundPatch::kCells; ++j)
-      levels.push_back(rounded(terrain.level(patch.i0 + i, patch.j0 + j)));
-  const bool ramps = terrain.spec().kind == sim3d::TerrainSpec::Kind::steps;
-  const Json ground = {{"type", "ground"},
-                       {"scene", scene},
-                       {"i0", patch.i0},
-                       {"j0", patch.j0},
-                       {"cells", GroundPatch::kCells},
-                       {"cell", terrain.spec().cell},
-                       {"ramp", ramps ? terrain.sample_spacing() : 0.0},
-                       {"highest", terrain.spec().height},
-                       {"levels", levels}};
+  for (int i = patch.i0; i < patch.i0 + GroundPatch::kCells; ++i)
+    for (int j = patch.j0; j < patch.j0 + GroundPatch::kCells; ++j)
+      levels.push_back(
+          rounded(terrain.height_at(terrain.x_axis().middle(i), terrain.y_axis().middle(j))));
+  const bool ramps = terrain.surface() == sim3d::Terrain::Surface::samples;
+  ground.update({{"smooth", false},
+                 {"i0", patch.i0},
+                 {"j0", patch.j0},
+                 {"x", x},
+                 {"y", y},
+                 {"ramp", ramps ? terrain.sample_spacing() : 0.0},
+                 {"levels", levels}});
   return text_of(ground);
 }
 

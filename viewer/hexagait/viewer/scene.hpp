@@ -31,7 +31,8 @@ struct GroundPatch {
                                      std::uint64_t seed, double control_dt, std::uint32_t number,
                                      const std::vector<std::string>& robots);
 
-/// {"type":"ground", …}: levels of the cells, row by row (x, then y) [m].
+/// {"type":"ground", …}: level cells between the edges x and y, row by row (x, then y), with walls or
+/// ramps between them; or, if smooth, the heights at the points x, y [m].
 [[nodiscard]] std::string ground_json(const sim3d::Terrain& terrain, const GroundPatch& patch,
                                       std::uint32_t scene);
 

@@ -61,10 +61,37 @@ TEST(Scene, GroundHasTheLevelsOfTheTerrainByRows) {
   const json ground = json::parse(ground_json(terrain, patch, 2));
   EXPECT_EQ(ground["i0"], 100 - GroundPatch::kCells / 2);
   EXPECT_EQ(ground["j0"], -40 - GroundPatch::kCells / 2);
+  EXPECT_FALSE(ground["smooth"]);
+  ASSERT_EQ(ground["x"].size(), GroundPatch::kCells + 1);
+  EXPECT_NEAR(ground["x"][3].get<double>(), 0.3 * (patch.i0 + 3), 1e-5);
+  EXPECT_NEAR(ground["y"][5].get<double>(), 0.3 * (patch.j0 + 5), 1e-5);
   EXPECT_NEAR(ground["ramp"].get<double>(), terrain.sample_spacing(), 1e-12);
   ASSERT_EQ(ground["levels"].size(), GroundPatch::kCells * GroundPatch::kCells);
   EXPECT_NEAR(ground["levels"][3 * GroundPatch::kCells + 5].get<double>(),
-              terrain.level(patch.i0 + 3, patch.j0 + 5), 1e-5);
+              terrain.height_at(0.3 * (patch.i0 + 3.5), 0.3 * (patch.j0 + 5.5)), 1e-5);
+}
+
+TEST(Scene, GroundOfUnlikeCellsHasTheirEdges) {
+  const sim3d::Terrain terrain(sim3d::parse_terrain("stones:25cm,8cm"), 1);
+  const GroundPatch patch = GroundPatch::around(terrain, {0.1, 0.1});
+  const json ground = json::parse(ground_json(terrain, patch, 2));
+  const auto at = static_cast<std::size_t>(-patch.i0);
+  EXPECT_NEAR(ground["x"][at].get<double>(), 0.0, 1e-9);
+  EXPECT_NEAR(ground["x"][at + 1].get<double>(), 0.25, 1e-9);
+  EXPECT_NEAR(ground["x"][at + 2].get<double>(), 0.33, 1e-9);
+}
+
+TEST(Scene, SmoothGroundHasTheHeightsOfItsPoints) {
+  const sim3d::Terrain terrain(sim3d::parse_terrain("slope:10deg,30deg+boxes:0.1"), 1);
+  const json ground =
+      json::parse(ground_json(terrain, GroundPatch::around(terrain, {4.0, 1.0}), 2));
+  EXPECT_TRUE(ground["smooth"]);
+  const std::size_t rows = ground["x"].size(), columns = ground["y"].size();
+  ASSERT_EQ(ground["levels"].size(), rows * columns);
+  for (const auto& [i, j] : {std::pair<std::size_t, std::size_t>{3, 77}, {150, 9}})
+    EXPECT_NEAR(ground["levels"][i * columns + j].get<double>(),
+                terrain.height_at(ground["x"][i].get<double>(), ground["y"][j].get<double>()),
+                1e-5);
 }
 
 TEST(Scene, PatchIsLeftFarFromItsMiddleOnly) {

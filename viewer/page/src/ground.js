@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The ground: one mesh of all cells that the server has told, with walls or ramps between them.
+// The ground: one mesh of all cells or points that the server has told.
 import { BufferAttribute, BufferGeometry, Color, Mesh } from "three";
 
 /** A number of a cell that looks random and is always the same, 0 … 1. */
@@ -45,27 +45,52 @@ export class Ground {
     this.mesh.receiveShadow = true;
   }
 
-  level(i, j) {
-    const { i0, j0, cells, levels } = this.told;
-    const a = Math.min(Math.max(i - i0, 0), cells - 1), b = Math.min(Math.max(j - j0, 0), cells - 1);
-    return levels[a * cells + b];
+  // Of the a-th and b-th cell; beyond the last, that of the last.
+  level(a, b) {
+    const { x, y, levels } = this.told;
+    const rows = x.length - 1, columns = y.length - 1;
+    return levels[Math.min(a, rows - 1) * columns + Math.min(b, columns - 1)];
   }
-  heightAt(x, y) { return this.level(Math.floor(x / this.told.cell), Math.floor(y / this.told.cell)); }
 
-  faces(paint) {
-    const { i0, j0, cells, cell, ramp, highest } = this.told;
+  faces(paint) { return this.told.smooth ? this.sheet(paint) : this.cells(paint); }
+
+  // How high, between the lowest and the highest level that is shown.
+  shade() {
+    let low = Infinity, high = -Infinity;
+    for (const z of this.told.levels) { low = Math.min(low, z); high = Math.max(high, z); }
+    return (z) => (high > low ? (z - low) / (high - low) : 0.35);
+  }
+
+  // A surface through all points.
+  sheet(paint) {
+    const { x, y, levels } = this.told, n = y.length;
     const low = paint.colour("groundLow"), high = paint.colour("groundHigh");
-    const faces = new Faces(), half = ramp / 2, colour = new Color(), wall = new Color();
-    for (let a = 0; a < cells; ++a)
-      for (let b = 0; b < cells; ++b) {
-        const i = i0 + a, j = j0 + b, z = this.level(i, j);
-        const share = highest > 0 ? z / highest : 0.35;
-        colour.copy(low).lerp(high, share).multiplyScalar(0.96 + 0.06 * speck(i, j) + ((i + j) & 1 ? 0.025 : 0));
-        const x0 = i * cell + half, x1 = (i + 1) * cell - half, y0 = j * cell + half, y1 = (j + 1) * cell - half;
+    const faces = new Faces(), colour = new Color(), shade = this.shade();
+    for (let a = 0; a + 1 < x.length; ++a)
+      for (let b = 0; b + 1 < n; ++b) {
+        const z = [levels[a * n + b], levels[(a + 1) * n + b], levels[(a + 1) * n + b + 1], levels[a * n + b + 1]];
+        const dx = (z[1] + z[2] - z[0] - z[3]) / 2 / (x[a + 1] - x[a]), dy = (z[2] + z[3] - z[0] - z[1]) / 2 / (y[b + 1] - y[b]);
+        const l = Math.hypot(dx, dy, 1);
+        const square = (Math.floor(x[a] / 0.3 + 1e-6) + Math.floor(y[b] / 0.3 + 1e-6)) & 1;
+        colour.copy(low).lerp(high, shade(z[0])).multiplyScalar((0.98 + 0.02 * speck(a, b) + (square ? 0.025 : 0)) * (0.8 + 0.2 / l));
+        faces.add([[x[a], y[b], z[0]], [x[a + 1], y[b], z[1]], [x[a + 1], y[b + 1], z[2]], [x[a], y[b + 1], z[3]]], [-dx / l, -dy / l, 1 / l], colour);
+      }
+    return faces;
+  }
+
+  // Level cells with walls between them, or ramps as wide as `ramp`.
+  cells(paint) {
+    const { i0, j0, x, y, ramp } = this.told;
+    const low = paint.colour("groundLow"), high = paint.colour("groundHigh");
+    const faces = new Faces(), half = ramp / 2, colour = new Color(), wall = new Color(), shade = this.shade();
+    for (let a = 0; a + 1 < x.length; ++a)
+      for (let b = 0; b + 1 < y.length; ++b) {
+        const i = i0 + a, j = j0 + b, z = this.level(a, b);
+        colour.copy(low).lerp(high, shade(z)).multiplyScalar(0.96 + 0.06 * speck(i, j) + ((i + j) & 1 ? 0.025 : 0));
+        const x0 = x[a] + half, x1 = x[a + 1] - half, y0 = y[b] + half, y1 = y[b + 1] - half;
         faces.add([[x0, y0, z], [x1, y0, z], [x1, y1, z], [x0, y1, z]], [0, 0, 1], colour);
-        if (highest === 0 && ramp === 0) continue;
         // To the neighbours behind in x and in y: a wall, or a ramp as wide as that between the tops.
-        const zx = this.level(i + 1, j), zy = this.level(i, j + 1), zd = this.level(i + 1, j + 1);
+        const zx = this.level(a + 1, b), zy = this.level(a, b + 1), zd = this.level(a + 1, b + 1);
         wall.copy(colour).multiplyScalar(0.8);
         const xe = x1 + ramp, ye = y1 + ramp;
         const slope = (dz) => { const l = Math.hypot(dz, ramp) || 1; return [-dz / l, ramp / l]; };

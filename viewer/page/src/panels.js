@@ -45,8 +45,8 @@ export class Panels {
   gait(kind) { this.link.send({ type: "gait", gait: kind === "wave" ? `wave:${$("duty").value}` : kind }); }
 
   restart() {
-    const kind = $("terrain").value;
-    this.link.send({ type: "restart", terrain: kind === "flat" ? kind : `${kind}:${$("roughness").value}cm` });
+    const terrain = $("terrain").value, whole = terrain === "flat" || terrain.includes(":");
+    this.link.send({ type: "restart", terrain: whole ? terrain : `${terrain}:${$("roughness").value}cm` });
   }
 
   key(event) {
@@ -73,10 +73,13 @@ export class Panels {
       if (!entries.includes(chosen)) select.prepend(new Option(chosen, chosen, true, true));
     };
     options($("robot"), scene.robots, scene.robot);
-    const [kind, height] = scene.terrain.split(":");
-    options($("terrain"), scene.terrains.map(({ syntax }) => syntax.split(":")[0]), kind);
-    if (height) $("roughness").value = 100 * Number(height);
-    $("roughness-label").hidden = kind === "flat";
+    // Kinds that are given by their height have a slider; of the others, an example.
+    const kinds = scene.terrains.map(({ example, height }) => (height ? example.split(":")[0] : example));
+    const simple = /^([a-z]+):([^,+]+)$/.exec(scene.terrain);
+    const sized = simple && kinds.includes(simple[1]);
+    options($("terrain"), kinds, sized ? simple[1] : scene.terrain);
+    if (sized) $("roughness").value = 100 * Number(simple[2]);
+    $("roughness-label").hidden = !sized;
     this.showRoughness();
     const legs = scene.legs.length, joints = scene.legs[0].joints.length;
     $("facts").textContent = `${legs} legs × ${joints} joints, ${scene.mass.toFixed(1)} kg, seed ${scene.seed}`;

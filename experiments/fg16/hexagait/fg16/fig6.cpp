@@ -119,7 +119,7 @@ std::vector<std::string> write_tracks(figures::StagedFiles& files, const Climbs&
 
 void draw(figures::StagedFiles& files, const ExperimentContext& context, const Climbs& climbs,
           const sim3d::Block& block) {
-  const double step_height = sim3d::parse_terrain(kTerrain).height;
+  const double step_height = sim3d::parse_terrain(kTerrain).roughness();
   figures::draw_figure(
       files,
       context.figure(

@@ -24,7 +24,7 @@ constexpr double kRoughness = 0.15;  // half of the body's height [m]
 Outcome fig10(const ExperimentContext& context, figures::StagedFiles& files) {
   recording::Simulation simulation;
   simulation.plant = context.plant;
-  simulation.terrain = {sim3d::TerrainSpec::Kind::boxes, kRoughness};
+  simulation.terrain = {sim3d::TerrainKind::boxes, kRoughness};
   simulation.trial.schedule = {{0.0, Heading::arc(kRadius, 0.0)}};
   simulation.trial.seconds = context.short_form ? 10.0 : kSeconds;
 

@@ -55,12 +55,11 @@ void write_snapshots(figures::StagedFiles& files, const std::string& stem,
 void write_terrain(figures::StagedFiles& files, const std::string& name,
                    const sim3d::Terrain& terrain, const figures::Box& shown) {
   figures::Csv csv("x_min_m,x_max_m,y_min_m,y_max_m,height_m");
-  const double cell = terrain.spec().cell;
-  const int last_x = terrain.cell_index(shown.greatest.x());
-  const int last_y = terrain.cell_index(shown.greatest.y());
-  for (int i = terrain.cell_index(shown.least.x()); i <= last_x; ++i)
-    for (int j = terrain.cell_index(shown.least.y()); j <= last_y; ++j)
-      csv.row(i * cell, (i + 1) * cell, j * cell, (j + 1) * cell, terrain.level(i, j));
+  const sim3d::CellAxis &x = terrain.x_axis(), &y = terrain.y_axis();
+  const int last_x = x.index(shown.greatest.x()), last_y = y.index(shown.greatest.y());
+  for (int i = x.index(shown.least.x()); i <= last_x; ++i)
+    for (int j = y.index(shown.least.y()); j <= last_y; ++j)
+      csv.row(x.edge(i), x.edge(i + 1), y.edge(j), y.edge(j + 1), terrain.level(i, j));
   files.write(name, csv.text());
 }
 
@@ -99,7 +98,7 @@ void draw_snapshots(figures::StagedFiles& files, figures::Figure figure,
   shown.greatest.x() += 0.5 * widening;
   const Vector2 panel = pixels * shown.size();
 
-  const bool rough = terrain.spec().height > 0.0;
+  const bool rough = terrain.highest() > 0.0;
   if (rough) write_terrain(files, figure.stem + "-terrain.csv", terrain, shown);
   const double width = kLeft + panel.x() + (rough ? 110.0 : 25.0);
   const double height = kTop + panel.y() + kBottom;
@@ -111,7 +110,7 @@ void draw_snapshots(figures::StagedFiles& files, figures::Figure figure,
                        {{"ground", ground},
                         {"ground", shown},
                         {"rough", rough ? 1 : 0},
-                        {"level_max", terrain.spec().height}},
+                        {"level_max", terrain.highest()}},
                        scripts::pc04::snapshots);
 }
 

@@ -15,9 +15,8 @@ Vector3 Touch::slip_velocity() const {
 }
 
 Contacts::Contacts(dWorldID world, const WorldParams& params)
-    : world_(world), joints_(dJointGroupCreate(0)) {
+    : world_(world), friction_(params.friction), joints_(dJointGroupCreate(0)) {
   surface_.mode = dContactApprox1 | dContactSoftERP | dContactSoftCFM;
-  surface_.mu = params.friction;
   surface_.soft_erp = params.contact_erp;
   surface_.soft_cfm = params.contact_cfm;
 }
@@ -29,7 +28,10 @@ void Contacts::find(Ground& ground, std::span<const RobotShape> shapes) {
   for (const RobotShape& shape : shapes) {
     const std::span room = std::span(places).first(kMostContacts - count_);
     const auto found = static_cast<std::size_t>(ground.collide(shape.geom.get(), room));
-    for (const dContactGeom& place : room.first(found)) add(shape, place);
+    for (const dContactGeom& place : room.first(found)) {
+      surface_.mu = ground.terrain().friction_at(place.pos[0], place.pos[1], friction_);
+      add(shape, place);
+    }
   }
 }
 

@@ -42,6 +42,7 @@ class Contacts {
   void add(const RobotShape& shape, const dContactGeom& place);
 
   dWorldID world_;
+  double friction_;  ///< where there is no ice
   dSurfaceParameters surface_{};
   JointGroupPtr joints_;
   std::array<Touch, kMostContacts> touches_;

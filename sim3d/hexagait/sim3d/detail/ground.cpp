@@ -9,6 +9,10 @@ namespace {
 constexpr double kDepth = 1.0;      // of the ground below the lowest level [m]
 constexpr int kPatchSamples = 257;  // along an edge of the heightfield patch
 
+double width(const CellAxis& axis, int i) {
+  return axis.odd > 0.0 ? axis.edge(i + 1) - axis.edge(i) : axis.even;
+}
+
 // The contacts of two shapes, as many as fit.
 int collide_pair(dGeomID geom, dGeomID other, std::span<dContactGeom> contacts) {
   const int room = std::min(static_cast<int>(contacts.size()), Ground::kContactsPerPair);
@@ -19,15 +23,15 @@ int collide_pair(dGeomID geom, dGeomID other, std::span<dContactGeom> contacts) 
 }  // namespace
 
 Ground::Ground(const Terrain& terrain, std::span<const Block> blocks) : terrain_(terrain) {
-  switch (terrain.spec().kind) {
-    case TerrainSpec::Kind::flat:
+  switch (terrain.surface()) {
+    case Terrain::Surface::plane:
       geom_.reset(dCreatePlane(nullptr, 0, 0, 1, 0));
       break;
-    case TerrainSpec::Kind::boxes:
-    case TerrainSpec::Kind::step:
-      geom_.reset(dCreateBox(nullptr, terrain.spec().cell, terrain.spec().cell, box_height()));
+    case Terrain::Surface::cells:
+      geom_.reset(dCreateBox(nullptr, width(terrain.x_axis(), 0), width(terrain.y_axis(), 0),
+                             box_height()));
       break;
-    case TerrainSpec::Kind::steps:
+    case Terrain::Surface::samples:
       create_heightfield();
       break;
   }
@@ -37,7 +41,7 @@ Ground::Ground(const Terrain& terrain, std::span<const Block> blocks) : terrain_
   }
 }
 
-double Ground::box_height() const { return terrain_.spec().height + kDepth; }
+double Ground::box_height() const { return terrain_.highest() - terrain_.lowest() + kDepth; }
 
 int Ground::collide(dGeomID geom, std::span<dContactGeom> contacts) {
   const int count = collide_terrain(geom, contacts);
@@ -48,15 +52,14 @@ int Ground::collide_terrain(dGeomID geom, std::span<dContactGeom> contacts) {
   // Most shapes are above the highest point of the terrain.
   Aabb aabb;
   dGeomGetAABB(geom, aabb.data());
-  if (aabb[4] > terrain_.spec().height) return 0;
+  if (aabb[4] > terrain_.highest()) return 0;
 
-  switch (terrain_.spec().kind) {
-    case TerrainSpec::Kind::flat:
+  switch (terrain_.surface()) {
+    case Terrain::Surface::plane:
       return collide_pair(geom, geom_.get(), contacts);
-    case TerrainSpec::Kind::boxes:
-    case TerrainSpec::Kind::step:
-      return collide_boxes(geom, aabb, contacts);
-    case TerrainSpec::Kind::steps:
+    case Terrain::Surface::cells:
+      return collide_cells(geom, aabb, contacts);
+    case Terrain::Surface::samples:
       return collide_patch(geom, aabb, contacts);
   }
   return 0;
@@ -69,17 +72,19 @@ int Ground::collide_blocks(dGeomID geom, std::span<dContactGeom> contacts) {
   return count;
 }
 
-int Ground::collide_boxes(dGeomID geom, const Aabb& aabb, std::span<dContactGeom> contacts) {
-  const double cell = terrain_.spec().cell;
-  const int i_last = terrain_.cell_index(aabb[1]), j_last = terrain_.cell_index(aabb[3]);
+int Ground::collide_cells(dGeomID geom, const Aabb& aabb, std::span<dContactGeom> contacts) {
+  const CellAxis &x = terrain_.x_axis(), &y = terrain_.y_axis();
+  const bool unlike = x.odd > 0.0 || y.odd > 0.0;
+  const int i_last = x.index(aabb[1]), j_last = y.index(aabb[3]);
   int count = 0;
 
   // One box, placed in each cell under the shape in turn.
-  for (int i = terrain_.cell_index(aabb[0]); i <= i_last; ++i) {
-    for (int j = terrain_.cell_index(aabb[2]); j <= j_last; ++j) {
+  for (int i = x.index(aabb[0]); i <= i_last; ++i) {
+    for (int j = y.index(aabb[2]); j <= j_last; ++j) {
       const double level = terrain_.level(i, j);
       if (aabb[4] > level) continue;
-      dGeomSetPosition(geom_.get(), (i + 0.5) * cell, (j + 0.5) * cell, level - 0.5 * box_height());
+      if (unlike) dGeomBoxSetLengths(geom_.get(), width(x, i), width(y, j), box_height());
+      dGeomSetPosition(geom_.get(), x.middle(i), y.middle(j), level - 0.5 * box_height());
       count += collide_pair(geom, geom_.get(), contacts.subspan(static_cast<std::size_t>(count)));
     }
   }
@@ -104,7 +109,7 @@ void Ground::create_heightfield() {
   heightfield_data_.reset(dGeomHeightfieldDataCreate());
   dGeomHeightfieldDataBuildCallback(heightfield_data_.get(), this, &Ground::patch_height, edge,
                                     edge, kPatchSamples, kPatchSamples, 1.0, 0.0, kDepth, 0);
-  dGeomHeightfieldDataSetBounds(heightfield_data_.get(), 0.0, terrain_.spec().height);
+  dGeomHeightfieldDataSetBounds(heightfield_data_.get(), terrain_.lowest(), terrain_.highest());
 
   // ODE's heightfields have y up: turn y to z, and z to −y.
   geom_.reset(dCreateHeightfield(nullptr, heightfield_data_.get(), 1));

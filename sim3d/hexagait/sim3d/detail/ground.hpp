@@ -36,7 +36,7 @@ class Ground {
   [[nodiscard]] double box_height() const;
   void create_heightfield();
   int collide_terrain(dGeomID geom, std::span<dContactGeom> contacts);
-  int collide_boxes(dGeomID geom, const Aabb& aabb, std::span<dContactGeom> contacts);
+  int collide_cells(dGeomID geom, const Aabb& aabb, std::span<dContactGeom> contacts);
   int collide_patch(dGeomID geom, const Aabb& aabb, std::span<dContactGeom> contacts);
   int collide_blocks(dGeomID geom, std::span<dContactGeom> contacts);
   static dReal patch_height(void* ground, int column, int row);

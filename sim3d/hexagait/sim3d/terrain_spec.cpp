@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <hexagait/sim3d/terrain_spec.hpp>
+#include <hexagait/text/invalid_input.hpp>
+#include <hexagait/text/nearest_word.hpp>
+#include <hexagait/text/quantity.hpp>
+#include <limits>
+#include <numbers>
+
+namespace hexagait::sim3d {
+namespace {
+
+constexpr double kAny = std::numeric_limits<double>::infinity();
+
+/// A dimension of a kind of terrain.
+struct Measure {
+  std::string_view name;  ///< empty: the kind has none
+  Dimension dimension = Dimension::length;
+  double least = 0.0, most = kAny;
+  std::string_view range = "0 or more";
+};
+
+constexpr Measure kHeight{"the height"};
+constexpr Measure kSignedHeight{"the height", Dimension::length, -kAny, kAny, ""};
+constexpr Measure kLength{"the length", Dimension::length, 0.05, kAny, "0.05 m or more"};
+constexpr double kSteepest = std::numbers::pi / 3.0;
+
+struct KindWords {
+  TerrainKind kind;
+  std::string_view name;
+  Measure size;
+  Measure extent = {};
+  double usual_extent = 0.0;
+  bool is_height = true;  ///< its size is a height
+};
+
+constexpr std::array kKinds = {
+    KindWords{TerrainKind::boxes, "boxes", kHeight},
+    KindWords{TerrainKind::steps, "steps", kHeight},
+    KindWords{TerrainKind::step, "step", kSignedHeight},
+    KindWords{TerrainKind::stairs,
+              "stairs",
+              kSignedHeight,
+              {"the tread", Dimension::length, 0.05, kAny, "0.05 m or more"},
+              0.29},
+    KindWords{TerrainKind::ditches,
+              "ditches",
+              {"the width", Dimension::length, 0.01, 0.8, "0.01 to 0.8 m"},
+              {},
+              0.0,
+              false},
+    KindWords{TerrainKind::stones,
+              "stones",
+              {"the edge", Dimension::length, 0.02, kAny, "0.02 m or more"},
+              {"the gap", Dimension::length, 0.0, kAny, "0 or more"},
+              0.15,
+              false},
+    KindWords{TerrainKind::slope,
+              "slope",
+              {"the angle", Dimension::angle, -kSteepest, kSteepest, "-60 to 60 degrees"},
+              {"the direction", Dimension::angle, -kAny, kAny, ""},
+              0.0,
+              false},
+    KindWords{TerrainKind::waves, "waves", kHeight, kLength, 1.5},
+    KindWords{TerrainKind::ramps, "ramps", kHeight, kLength, 1.0},
+    KindWords{TerrainKind::rubble, "rubble", kHeight},
+    KindWords{TerrainKind::ice,
+              "ice",
+              {"the friction", Dimension::number, 0.0, 10.0, "0 to 10"},
+              {},
+              0.0,
+              false}};
+
+const KindWords& words(TerrainKind kind) {
+  return *std::ranges::find(kKinds, kind, &KindWords::kind);
+}
+
+[[noreturn]] void refuse(std::string_view text, const std::string& reason) {
+  std::string message = "terrain \"";
+  message.append(text).append("\": ").append(reason).append("; known terrains:");
+  for (const TerrainDescription& known : known_terrains()) message.append(" ").append(known.syntax);
+  throw InvalidInput(message + ", and sums such as slope:10deg+boxes:10cm");
+}
+
+double read(std::string_view text, std::string_view value, const Measure& measure) {
+  const auto [number, problem] = parse_quantity(value, measure.dimension);
+  if (!problem.empty()) refuse(text, problem);
+  if (number < measure.least || number > measure.most)
+    refuse(text, std::string(measure.name) + " must be " + std::string(measure.range) + ", not " +
+                     std::string(value));
+  return number;
+}
+
+// `text` is the whole terrain, for messages.
+TerrainPart parse_part(std::string_view text, std::string_view part) {
+  const std::size_t colon = part.find(':');
+  const std::string_view name = part.substr(0, colon);
+  const auto known = std::ranges::find(kKinds, name, &KindWords::name);
+  if (known == kKinds.end()) {
+    std::vector<std::string> names = {"flat"};
+    for (const KindWords& kind : kKinds) names.emplace_back(kind.name);
+    refuse(text, "unknown kind" + did_you_mean(name, names));
+  }
+  if (colon == std::string_view::npos) refuse(text, std::string(known->size.name) + " is missing");
+
+  const std::string_view values = part.substr(colon + 1);
+  const std::size_t comma = values.find(',');
+  TerrainPart result{known->kind, read(text, values.substr(0, comma), known->size),
+                     known->usual_extent};
+  if (comma == std::string_view::npos) return result;
+  if (known->extent.name.empty())
+    refuse(text, std::string(name) + " takes one number, " + std::string(known->size.name));
+  result.extent = read(text, values.substr(comma + 1), known->extent);
+  return result;
+}
+
+// Where the next part begins: behind a + that is no sign of an exponent.
+std::size_t end_of_part(std::string_view text, std::size_t begin) {
+  const auto is_sign = [&](std::size_t at) {
+    return at + 1 < text.size() &&
+           (text[at + 1] == '.' || ('0' <= text[at + 1] && text[at + 1] <= '9'));
+  };
+  std::size_t end = text.find('+', begin);
+  while (end != std::string_view::npos && is_sign(end)) end = text.find('+', end + 1);
+  return std::min(end, text.size());
+}
+
+std::string shortest(double value) {
+  std::array<char, 32> digits{};
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+  return {digits.data(), end};
+}
+
+}  // namespace
+
+TerrainSpec::TerrainSpec(TerrainKind kind, double size) {
+  if (kind != TerrainKind::flat) parts = {{kind, size, words(kind).usual_extent}};
+}
+
+double TerrainSpec::roughness() const {
+  double sum = 0.0;
+  for (const TerrainPart& part : parts)
+    if (part.kind != TerrainKind::flat && words(part.kind).is_height) sum += std::abs(part.size);
+  return sum;
+}
+
+const std::vector<TerrainDescription>& known_terrains() {
+  static const std::vector<TerrainDescription> known = {
+      {"flat", "the plane z = 0", "flat"},
+      {"boxes:H", "0.3 m cells at random levels from 0 to H, with vertical faces between them",
+       "boxes:10cm"},
+      {"steps:H", "the same levels as a heightfield: 25 mm wide ramps instead of vertical faces",
+       "steps:10cm"},
+      {"step:H", "one step up to H, or down, 0.6 m ahead of where the robot starts", "step:12cm"},
+      {"stairs:H,TREAD", "flights of 10 steps up (H < 0: down) and back; treads of 0.29 m",
+       "stairs:12cm,35cm"},
+      {"ditches:W", "ditches of width W across the way, 1 m deep, one in each 1.5 m",
+       "ditches:15cm"},
+      {"stones:EDGE,GAP", "square stepping stones, 1 m above the ground; gaps of 0.15 m",
+       "stones:25cm,8cm"},
+      {"slope:ANGLE,DIRECTION", "a plane that rises ahead, or in this direction from ahead",
+       "slope:10deg,90deg"},
+      {"waves:H,LENGTH", "sines along x and y, 0 to H; waves of 1.5 m", "waves:10cm,1m"},
+      {"ramps:H,LENGTH", "ramps up to H and down again in turn; each 1 m long", "ramps:15cm"},
+      {"rubble:H", "0.3 m cells, 0 to H, each tilted at random; 25 mm wide ramps between them",
+       "rubble:10cm"},
+      {"ice:MU", "squares of 0.6 m, half of which have the friction MU", "ice:0.1"},
+  };
+  return known;
+}
+
+TerrainSpec parse_terrain(std::string_view text) {
+  TerrainSpec spec;
+  if (text == "flat") return spec;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = end_of_part(text, begin);
+    spec.parts.push_back(parse_part(text, text.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return spec;
+}
+
+std::string to_string(const TerrainSpec& spec) {
+  std::string text;
+  for (const TerrainPart& part : spec.parts) {
+    if (part.kind == TerrainKind::flat) continue;
+    const KindWords& kind = words(part.kind);
+    if (!text.empty()) text += '+';
+    text.append(kind.name).append(":").append(shortest(part.size));
+    if (part.extent != kind.usual_extent) text.append(",").append(shortest(part.extent));
+  }
+  return text.empty() ? "flat" : text;
+}
+
+}  // namespace hexagait::sim3d
