@@ -56,9 +56,26 @@ TEST_P(Robots, TurnInPlace) {
   EXPECT_LT(s.lateral_max, 0.02 * length_);
 }
 
+/// The discrete posture control of [PC04] 5.2, at 20 Hz.
+TEST(DiscretePosture, WalksAnArcWithFeetThatHardlySlip) {
+  const RobotModel robot = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/lauron.urdf");
+  sim3d::World world(robot, {}, {}, nominal_posture(robot));
+  footstep_gen::WalkerParams params;
+  params.executor.base.displacement_period = 0.05;
+  footstep_gen::Walker walker(robot, params);
+  TrialOptions options;
+  options.schedule = {{0.0, Heading::arc(1.0, 0.0), {}}};
+  options.seconds = 10.0;
+  const Summary s = run_trial(walker, world, world.truth(), options);
+  EXPECT_TRUE(s.ok()) << in_words(s.hindrance, robot);
+  EXPECT_GT(s.speed, 0.08);
+  EXPECT_LT(s.slip_p95, 0.001);
+  EXPECT_LT(s.lateral_max, 0.002);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Robots,
                          ::testing::Values("argos", "spider", "desktop", "mite", "octopod",
-                                           "hexapod_mammal", "titan", "beetle"),
+                                           "hexapod_mammal", "titan", "beetle", "lauron"),
                          [](const auto& of) { return std::string(of.param); });
 
 /// One leg at a time, the centre of mass inside the other three feet. The body sways across its path,

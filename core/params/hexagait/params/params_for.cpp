@@ -151,6 +151,8 @@ constexpr Parameter kParameters[] = {
     {"base.height_speed", "m/s", 0.22, speed, [](P& p) -> double& { return p.base.height_speed; }},
     {"base.tilt_speed", "rad/s", 0.097, rate, [](P& p) -> double& { return p.base.tilt_speed; }},
     {"base.outer_radius", "m", 1.0, outer, [](P& p) -> double& { return p.base.outer_radius; }},
+    {"base.displacement_period", "s", 0.0, none,
+     [](P& p) -> double& { return p.base.displacement_period; }},
 
     {"spring.frequency", "rad/s", 4.03, step_rate,
      [](P& p) -> double& { return p.spring.frequency; }},
