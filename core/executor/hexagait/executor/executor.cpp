@@ -111,7 +111,8 @@ void Executor::sense(const RobotState& state, double dt) noexcept {
     hexagait::sense(legs_[i], state.contact[i], dt, params_.swing);
   LegSet stand;
   for (LegId i = 0; i < legs_.size(); ++i)
-    stand.set(i, legs_[i].phase == LegPhase::support && legs_[i].believed);
+    stand.set(i, legs_[i].phase == LegPhase::support && legs_[i].believed &&
+                     !model_->legs[i].has_two_joints());
   footholds_.watch(state.slide_O, stand, dt, params_.swing);
   sensed_ = true;
 }
@@ -210,12 +211,15 @@ void Executor::update_base_error(const RobotState& state, double dt) noexcept {
   base_error_ = base_error(state.X_OB, state.V_B, X_OD_, V_D);
 }
 
-// Feet on the line of a discrete displacement are meant to be beside their set points.
+// Feet on the line of a discrete displacement are meant to be beside their set points, and so are
+// those of legs of two joints.
 void Executor::note_tracking(const RobotState& state, double dt) noexcept {
   for (LegId i = 0; i < legs_.size(); ++i) {
-    lag_.watch(i, state.p_BF[i], legs_[i].p_BF, !legs_[i].on_ground(), dt);
+    const LegModel& leg = model_->legs[i];
     const bool on_line = displacement_.ticks > 0 && displacement_.legs.contains(i);
-    const Vector3 p_BF = on_line ? foot_position(model_->legs[i], trig_[i]) : legs_[i].p_BF;
+    const bool beside = on_line || leg.has_two_joints();
+    const Vector3 p_BF = beside ? foot_position(leg, trig_[i]) : legs_[i].p_BF;
+    lag_.watch(i, state.p_BF[i], p_BF, !legs_[i].on_ground(), dt);
     off_[i] = state.p_BF[i] - p_BF;
   }
 }

@@ -126,6 +126,8 @@ void Executor::set_joints(const RobotState& state, double dt) noexcept {
       legs_[i].v_O = state.X_OB.R * (p_BF - legs_[i].p_BF) / dt;
       legs_[i].p_BF = p_BF;
     }
+    // A foot that slides to the side is where it is.
+    if (leg.has_two_joints() && legs_[i].on_ground()) legs_[i].p_BF = foot_position(leg, trig_[i]);
     targets_.mode[i] = legs_[i].phase == LegPhase::follow ? plans_[i].mode : ControlMode::position;
   }
   displacement_.ticks = std::max(0, displacement_.ticks - 1);

@@ -33,6 +33,7 @@ double percent_off(const DisplacementWalk& walk, const DisplacementWalk& other) 
 
 std::vector<walk::Summary> summaries(const std::vector<DisplacementWalk>& walks) {
   std::vector<walk::Summary> all;
+  all.reserve(walks.size());
   for (const DisplacementWalk& walk : walks) all.push_back(walk.summary);
   return all;
 }
