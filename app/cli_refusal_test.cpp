@@ -54,8 +54,9 @@ TEST_F(Cli, RefusesPlantsThatAreNoneAndTellsAllAtOnce) {
   refuses("run nod --mass-error 2", {"--mass-error is '2'", "0.9"});
   refuses("run nod --servo position-only --controller virtual_model", {"--servo", "--controller"});
   for (const char* name : {"table1", "fg16_fig6", "sensitivity", "all"})
-    refuses(std::string("experiment ") + name + " --plant real",
-            {"the plant is 'real'", "take a plant", "fig9, fig10, wave_family, walks, rates"});
+    refuses(
+        std::string("experiment ") + name + " --plant real",
+        {"the plant is 'real'", "take a plant", "fig9, fig10, fig11, wave_family, walks, rates"});
   refuses("experiment walks --joint-noise -1mrad", {"--joint-noise is '-1mrad'"});
   refuses("walk --robot genghis2d --friction 0.4", {"--plant", "genghis2d"});
 }

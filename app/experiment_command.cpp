@@ -75,15 +75,17 @@ int experiment_command(const ExperimentArguments& arguments) {
   for (const Experiment& experiment : selection) {
     const std::string problem = write_problem([&] {
       Progress progress(1.0, Progress::Measure::share, arguments.quiet);
-      manifests.push_back(run(experiment,
-                              {.robot = &robot,
-                               .progress = [&](double share) { progress.at(share); },
-                               .stop = &interrupted,
-                               .short_form = arguments.short_form,
-                               .titles = arguments.title != "none",
-                               .jobs = jobs(arguments.jobs, cores()),
-                               .plant = plant},
-                              arguments.out));
+      manifests.push_back(
+          run(experiment,
+              {.robot = &robot,
+               .robot_named = [](const std::string& name) { return load_urdf(robot_file(name)); },
+               .progress = [&](double share) { progress.at(share); },
+               .stop = &interrupted,
+               .short_form = arguments.short_form,
+               .titles = arguments.title != "none",
+               .jobs = jobs(arguments.jobs, cores()),
+               .plant = plant},
+              arguments.out));
     });
     if (!problem.empty())
       throw InvalidInput(fmt::format("--out is '{}', in which the files of {} can't be written: {}",

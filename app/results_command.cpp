@@ -223,13 +223,15 @@ int results_command(const ResultsArguments& arguments) {
     if (!wanted(experiment.name)) continue;
     if (!arguments.quiet) fmt::print(stderr, "{}\n", experiment.title);
     Progress progress(1.0, Progress::Measure::share, arguments.quiet);
-    const Manifest manifest = run(experiment,
-                                  {.robot = &robot,
-                                   .progress = [&](double share) { progress.at(share); },
-                                   .stop = &interrupted,
-                                   .short_form = arguments.short_form,
-                                   .jobs = jobs("", cores())},
-                                  arguments.figures);
+    const Manifest manifest =
+        run(experiment,
+            {.robot = &robot,
+             .robot_named = [](const std::string& name) { return load_urdf(robot_file(name)); },
+             .progress = [&](double share) { progress.at(share); },
+             .stop = &interrupted,
+             .short_form = arguments.short_form,
+             .jobs = jobs("", cores())},
+            arguments.figures);
     if (interrupted) return kInterrupted;
     well = well && manifest.is_accounted_for();
     groups.push_back({experiment.title,

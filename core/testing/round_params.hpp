@@ -55,6 +55,7 @@ inline void round_walk(RobotParams& p) {
   p.base.height_speed = 0.15;
   p.base.tilt_speed = 0.3;
   p.base.outer_radius = 0.8;
+  p.base.displacement_period = 0.0;
 
   p.spring.frequency = 12.5;
   p.spring.turn_frequency = 12.5;

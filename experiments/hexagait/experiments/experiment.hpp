@@ -13,6 +13,8 @@ namespace hexagait::experiments {
 /// What an experiment is given.
 struct ExperimentContext {
   const RobotModel* robot = nullptr;
+  /// Of figures that show another robot: one of those that come with hexagait, by its name.
+  std::function<RobotModel(const std::string& name)> robot_named = {};
   std::function<void(double share)> progress;  ///< called now and then with 0 … 1
   const std::atomic<bool>* stop = nullptr;     ///< once true, the experiment ends early
   bool short_form = false;  ///< some seconds; claims that need more are not judged, and say so

@@ -38,6 +38,13 @@ WalkerParams checked(const WalkerParams& params) {
   return params;
 }
 
+// What a robot with legs of two joints makes of a crab angle: ahead or back, whichever is nearer.
+heading_control::Heading without_crab(const heading_control::Heading& heading) {
+  const double ahead = std::abs(heading.crab_angle()) <= 0.5 * std::numbers::pi ? 1.0 : -1.0;
+  const auto path = heading_control::Heading::along({ahead * heading.rho(), 0.0}, heading.k());
+  return heading.moving() ? path : path.stopped();
+}
+
 // The displacement as a pose in the body frame.
 Pose pose(const PlanarTwist& displacement) {
   return {rotation_z(displacement.w), {displacement.v.x(), displacement.v.y(), 0.0}};
@@ -155,11 +162,15 @@ void Walker::estimate() noexcept {
 void Walker::steer(const heading_control::Heading& heading) noexcept {
   if (!(heading == record_.heading)) {
     record_.heading = heading;
-    record_.arc = path_arc(heading, workspaces_);
+    const bool two_joints = model_->legs[0].has_two_joints();
+    record_.arc = path_arc(two_joints ? without_crab(heading) : heading, workspaces_);
     record_.rear_edge = rear_edge(record_.arc, record_.rear_edge);
     tracker_.follow(record_.arc.per_metre);
   }
   record_.deviation = tracker_.update(in_plane(record_.state.X_OB));
+  if (model_->legs[0].has_two_joints())
+    record_.deviation = heading_control::by_turning(record_.deviation, record_.arc.per_metre,
+                                                    params_.tolerance.turn_arm);
 }
 
 void Walker::decide() noexcept {

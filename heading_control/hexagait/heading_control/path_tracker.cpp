@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <hexagait/heading_control/path_tracker.hpp>
+#include <hexagait/math/trigonometry.hpp>
 
 namespace hexagait::heading_control {
 double PathTracker::product(const PlanarTwist& a, const PlanarTwist& b) const noexcept {
@@ -29,6 +30,15 @@ PlanarTwist PathTracker::update(const PlanarPose& X_OB) noexcept {
   PlanarPose back = between(X_OB, ideal_);
   back.angle = wrap_angle(back.angle);
   return logarithm(back);
+}
+
+PlanarTwist by_turning(const PlanarTwist& correction, const PlanarTwist& per_metre,
+                       double arm) noexcept {
+  const double way = per_metre.v.norm();
+  if (!(way > 0.0)) return {Vector2::Zero(), correction.w};
+  const Vector2 ahead = per_metre.v / way;
+  const double left = cross(ahead, correction.v);
+  return {ahead.dot(correction.v) * ahead, correction.w + portable::atan2(left, arm)};
 }
 
 }  // namespace hexagait::heading_control

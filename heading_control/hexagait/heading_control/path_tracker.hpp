@@ -47,4 +47,13 @@ class PathTracker {
   PlanarPose ideal_;
 };
 
+/// A correction for a robot that can't move sideways, as with legs of two joints: it turns towards
+/// its path instead, by the angle under which it sees the path's point that is `arm` ahead of it.
+/// What it is off along its path stays. In a turn on the spot it can only correct its heading.
+/// @param correction  of PathTracker::update()
+/// @param per_metre   twist of the commanded path
+/// @param arm         [m], greater than 0
+[[nodiscard]] PlanarTwist by_turning(const PlanarTwist& correction, const PlanarTwist& per_metre,
+                                     double arm) noexcept;
+
 }  // namespace hexagait::heading_control

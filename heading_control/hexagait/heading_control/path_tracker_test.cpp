@@ -163,5 +163,21 @@ TEST(PathTracker, SeesTheSameInEveryOdomFrame) {
   }
 }
 
+// 0.1 m to the left of it, a point 0.1 m ahead is seen under 45°; backwards the same turn points the
+// motion to that side.
+TEST(ByTurning, TurnsTowardsThePathThatItCannotShiftTo) {
+  constexpr double kArm = 0.1;
+  for (const double way : {1.0, -1.0}) {
+    const PlanarTwist ahead{{way, 0.0}, 0.0};
+    const PlanarTwist turned = by_turning({{0.03, 0.1 * way}, 0.2}, ahead, kArm);
+    EXPECT_NEAR(turned.v.x(), 0.03, 1e-15);
+    EXPECT_EQ(turned.v.y(), 0.0);
+    EXPECT_NEAR(turned.w, 0.2 + 0.25 * std::numbers::pi, 1e-12);
+  }
+  const PlanarTwist turned = by_turning({{0.03, 0.1}, 0.2}, {{0.0, 0.0}, 1.0}, kArm);
+  EXPECT_EQ(turned.v.norm(), 0.0);
+  EXPECT_EQ(turned.w, 0.2);
+}
+
 }  // namespace
 }  // namespace hexagait::heading_control

@@ -41,8 +41,9 @@ Json leg_json(const LegModel& leg) {
                       {"upper_rad", finite(leg.limits[k].upper)},
                       {"velocity_rad_s", finite(leg.limits[k].velocity)},
                       {"effort_n_m", finite(leg.limits[k].effort)}});
+  constexpr const char* kKinds[] = {"yaw_pitch_pitch", "serial", "yaw_pitch"};
   const bool serial = leg.kind == LegKind::serial;
-  Json json = {{"name", leg.name}, {"kind", serial ? "serial" : "yaw_pitch_pitch"}};
+  Json json = {{"name", leg.name}, {"kind", kKinds[static_cast<int>(leg.kind)]}};
   if (!serial) {
     json["coxa_m"] = leg.coxa;
     json["femur_m"] = leg.femur;

@@ -56,9 +56,72 @@ TEST_P(Robots, TurnInPlace) {
   EXPECT_LT(s.lateral_max, 0.02 * length_);
 }
 
+/// The discrete posture control of [PC04] 5.2, at 20 Hz.
+TEST(DiscretePosture, WalksAnArcWithFeetThatHardlySlip) {
+  const RobotModel robot = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/lauron.urdf");
+  sim3d::World world(robot, {}, {}, nominal_posture(robot));
+  footstep_gen::WalkerParams params;
+  params.executor.base.displacement_period = 0.05;
+  footstep_gen::Walker walker(robot, params);
+  TrialOptions options;
+  options.schedule = {{0.0, Heading::arc(1.0, 0.0), {}}};
+  options.seconds = 10.0;
+  const Summary s = run_trial(walker, world, world.truth(), options);
+  EXPECT_TRUE(s.ok()) << in_words(s.hindrance, robot);
+  EXPECT_GT(s.speed, 0.08);
+  EXPECT_LT(s.slip_p95, 0.001);
+  EXPECT_LT(s.lateral_max, 0.002);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Robots,
                          ::testing::Values("argos", "spider", "desktop", "mite", "octopod",
-                                           "hexapod_mammal", "titan", "beetle"),
+                                           "hexapod_mammal", "titan", "beetle", "lauron"),
+                         [](const auto& of) { return std::string(of.param); });
+
+/// Legs of two joints: reduced control, by strokes of the sides. Their feet slide, so how well they keep to
+/// a path is another matter; [PC04] 5 has 5 cm/s and 8 °/s of Genghis.
+using TwoJointLegs = Robots;
+
+TEST_P(TwoJointLegs, WalkStraightOnAsFastAsThePapers) {
+  const Summary s = walked(Heading::straight(0.0), 30.0, 1e9);
+  EXPECT_TRUE(s.ok()) << in_words(s.hindrance, robot_);
+  EXPECT_GT(s.speed, 0.05);
+  EXPECT_LT(s.lateral_max, 0.1 * length_);
+  EXPECT_LT(s.heading_max, 0.05);
+}
+
+TEST_P(TwoJointLegs, TurnInPlaceAsFastAsThePapers) {
+  for (const Turn turn : {Turn::cw, Turn::ccw}) {
+    const Summary s = walked(Heading::spin(turn), 20.0, 1e9);
+    EXPECT_TRUE(s.ok()) << in_words(s.hindrance, robot_);
+    EXPECT_GT((turn == Turn::ccw ? 1.0 : -1.0) * s.turned / s.seconds,
+              8.0 * std::numbers::pi / 180.0);
+    EXPECT_LT(s.lateral_max, 0.2 * length_);
+  }
+}
+
+TEST_P(TwoJointLegs, WalkAnArcAndBackwards) {
+  for (const Heading& heading :
+       {Heading::arc(3.0 * length_, 0.0), Heading::straight(std::numbers::pi)}) {
+    const Summary s = walked(heading, 30.0, 1e9);
+    EXPECT_TRUE(s.ok()) << in_words(s.hindrance, robot_);
+    EXPECT_GT(s.distance, 3.0 * length_);
+    EXPECT_LT(s.lateral_max, 0.3 * length_);
+  }
+}
+
+// What it can't do: it goes ahead instead, and the referee says how far off that is.
+TEST_P(TwoJointLegs, GoAheadOrBackWhereTheyAreToldToCrab) {
+  for (const double crab : {0.25 * std::numbers::pi, -0.75 * std::numbers::pi}) {
+    const Summary s = walked(Heading::straight(crab), 10.0, 1e9);
+    EXPECT_TRUE(s.ok()) << in_words(s.hindrance, robot_);
+    EXPECT_NEAR(s.distance / s.seconds, 0.0595 * std::sqrt(0.5), 0.006);
+    EXPECT_NEAR(s.lateral_end, s.distance, 0.05 * s.distance);
+    EXPECT_EQ(s.rule1_violations, 0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, TwoJointLegs, ::testing::Values("genghis"),
                          [](const auto& of) { return std::string(of.param); });
 
 /// One leg at a time, the centre of mass inside the other three feet. The body sways across its path,

@@ -30,6 +30,12 @@ PlanarTwist wanted_velocity(const BaseAutoCommand& command, const BaseGoal& goal
 
 }  // namespace
 
+void scale(BaseLane& lane, double share) noexcept {
+  const Twist V = lane.twist();
+  lane = {
+      {share * V.v.head<2>(), share * V.w.z()}, share * V.v.z(), share * V.w.x(), share * V.w.y()};
+}
+
 void advance(BaseLane& lane, const BaseAutoCommand& command, const BaseGoal& goal, double dt,
              const BaseParams& params) noexcept {
   const PlanarTwist wanted = wanted_velocity(command, goal, dt, params);
@@ -58,8 +64,7 @@ void brake(BaseLane& lane, double dt, const BaseParams& params) noexcept {
   const double speed = V.v.norm() + params.outer_radius * V.w.norm();
   const double share =
       speed > params.acceleration * dt ? 1.0 - params.acceleration * dt / speed : 0.0;
-  lane = {
-      {share * V.v.head<2>(), share * V.w.z()}, share * V.v.z(), share * V.w.x(), share * V.w.y()};
+  scale(lane, share);
 }
 
 }  // namespace hexagait

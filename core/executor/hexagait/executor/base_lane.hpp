@@ -19,6 +19,9 @@ struct BaseLane {
   }
 };
 
+/// The same motion at another speed.
+void scale(BaseLane& lane, double share) noexcept;
+
 /// One tick of the base: towards the goal as fast as the limits of speed and acceleration allow.
 void advance(BaseLane& lane, const BaseAutoCommand& command, const BaseGoal& goal, double dt,
              const BaseParams& params) noexcept;

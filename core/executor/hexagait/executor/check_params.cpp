@@ -49,6 +49,7 @@ void check_base(Violations& violations, const BaseParams& p) {
       {"posture_rate [1/s]", p.posture_rate},
       {"height_speed [m/s]", p.height_speed},
       {"tilt_speed [rad/s]", p.tilt_speed},
+      {"displacement_period [s]", p.displacement_period},
   };
   require_positive(violations, positive);
   require_not_negative(violations, not_negative);

@@ -46,6 +46,7 @@ Executor::Executor(const RobotModel& model, const ExecutorParams& params)
       plans_(model.num_legs()),
       planned_effort_(model.num_legs(), LegJoints::Zero()) {
   const LegArray<LegJoints> zero(model.num_legs(), LegJoints::Zero());
+  displacement_.q_end = zero;
   targets_ = {zero, zero, zero, LegArray<ControlMode>(model.num_legs(), ControlMode::position)};
 }
 
@@ -110,7 +111,8 @@ void Executor::sense(const RobotState& state, double dt) noexcept {
     hexagait::sense(legs_[i], state.contact[i], dt, params_.swing);
   LegSet stand;
   for (LegId i = 0; i < legs_.size(); ++i)
-    stand.set(i, legs_[i].phase == LegPhase::support && legs_[i].believed);
+    stand.set(i, legs_[i].phase == LegPhase::support && legs_[i].believed &&
+                     !model_->legs[i].has_two_joints());
   footholds_.watch(state.slide_O, stand, dt, params_.swing);
   sensed_ = true;
 }
@@ -136,7 +138,15 @@ void Executor::move(const RobotState& state, double dt) noexcept {
 }
 
 void Executor::move_base(const RobotState& state, double dt) noexcept {
-  if (base_follows_) return follow_base(state, dt);
+  if (!is_discrete()) {
+    displacement_.ticks = 0;
+    return base_follows_ ? follow_base(state, dt) : take_base_on(state, dt);
+  }
+  if (displacement_.ticks == 0) begin_displacement(state, dt);
+}
+
+// The base's velocity for the next dt.
+void Executor::take_base_on(const RobotState& state, double dt) noexcept {
   base_goal_ = base_command_.adaptation
                    ? base_command_.adaptation(base_command_, pose_adaptation_input(state))
                    : BaseGoal{};
@@ -201,14 +211,20 @@ void Executor::update_base_error(const RobotState& state, double dt) noexcept {
   base_error_ = base_error(state.X_OB, state.V_B, X_OD_, V_D);
 }
 
+// Feet on the line of a discrete displacement are meant to be beside their set points, and so are
+// those of legs of two joints.
 void Executor::note_tracking(const RobotState& state, double dt) noexcept {
   for (LegId i = 0; i < legs_.size(); ++i) {
-    lag_.watch(i, state.p_BF[i], legs_[i].p_BF, !legs_[i].on_ground(), dt);
-    off_[i] = state.p_BF[i] - legs_[i].p_BF;
+    const LegModel& leg = model_->legs[i];
+    const bool on_line = displacement_.ticks > 0 && displacement_.legs.contains(i);
+    const bool beside = on_line || leg.has_two_joints();
+    const Vector3 p_BF = beside ? foot_position(leg, trig_[i]) : legs_[i].p_BF;
+    lag_.watch(i, state.p_BF[i], p_BF, !legs_[i].on_ground(), dt);
+    off_[i] = state.p_BF[i] - p_BF;
   }
 }
 
-// As advance(), without what decides.
+// As advance(), without what decides. A discrete displacement ends: the base brakes smoothly.
 const JointTargets& Executor::coast(const RobotState& state, double dt) noexcept {
   if (!failed_) go_on(state, dt);
   if (failed_) hold();
@@ -216,6 +232,7 @@ const JointTargets& Executor::coast(const RobotState& state, double dt) noexcept
 }
 
 void Executor::go_on(const RobotState& state, double dt) noexcept {
+  displacement_.ticks = 0;
   if (base_follows_)
     follow_base(state, dt);
   else
@@ -248,7 +265,8 @@ void Executor::even_out_loads(const RobotState& state, double dt) noexcept {
     ++feet;
   }
   if (feet > 0.0) mean /= feet;
-  const double rate = std::min(params_.swing.even_load_rate, kMostLag / (lag_.lag() + dt));
+  const double period = std::max(dt, params_.base.displacement_period);
+  const double rate = std::min(params_.swing.even_load_rate, kMostLag / (lag_.lag() + period));
   const double share = decay_share(rate * dt);
   for (LegId i = 0; i < legs_.size(); ++i)
     if (bears(i)) legs_[i].p_BF += share * (up_B.dot(off_[i]) - mean) * up_B;
@@ -281,6 +299,7 @@ void Executor::stand_where_it_is(LegId leg, const RobotState& state) noexcept {
 
 void Executor::hold() noexcept {
   base_ = {};
+  displacement_.ticks = 0;
   base_command_ = {};
   for (LegLane& lane : legs_) {
     lane.v_O.setZero();

@@ -4,6 +4,7 @@
 
 #include <hexagait/balance/whole_body.hpp>
 #include <hexagait/executor/base_lane.hpp>
+#include <hexagait/executor/discrete_displacement.hpp>
 #include <hexagait/executor/foothold_watch.hpp>
 #include <hexagait/executor/lag_watch.hpp>
 #include <hexagait/executor/leg_lane.hpp>
@@ -41,6 +42,10 @@ struct ExecutorParams {
 /// Scripts send plans, motions over time, to the same lanes. A LegPlan in odom is tracked against
 /// odometry; one in the body frame or in joints moves with the body. No joint target ever changes
 /// by more than its velocity limit allows in a tick, and no effort is more than the joint's limit.
+///
+/// With BaseParams::displacement_period the base of a gait generator moves in discrete displacements
+/// (discrete_displacement.hpp): what it does next is decided at the end of each, and legs that stand
+/// move along straight lines in joint space. Plans of scripts and the virtual model stay smooth.
 ///
 /// Targets are finite whatever is commanded: if they would not be, the executor has failed(). If the
 /// program of the virtual model's contact forces has no solution in a tick (contact_forces()), the
@@ -128,6 +133,10 @@ class Executor {
   void carry_with_ground(const RobotState& state, double dt) noexcept;
   void move(const RobotState& state, double dt) noexcept;
   void move_base(const RobotState& state, double dt) noexcept;
+  void take_base_on(const RobotState& state, double dt) noexcept;
+  void begin_displacement(const RobotState& state, double dt) noexcept;
+  void join_displacement(LegId leg, const RobotState& state, double time) noexcept;
+  [[nodiscard]] LegSolution on_its_line(LegId leg, const RobotState& state, double dt) noexcept;
   [[nodiscard]] bool drags_a_foot() const noexcept;
   void follow_base(const RobotState& state, double dt) noexcept;
   void go_on(const RobotState& state, double dt) noexcept;
@@ -142,6 +151,7 @@ class Executor {
   void set_effort(LegId leg, const LegJoints& effort) noexcept;
   void update_base_error(const RobotState& state, double dt) noexcept;
   [[nodiscard]] bool led_by_joints(LegId leg) const noexcept;
+  [[nodiscard]] bool is_discrete() const noexcept;
   [[nodiscard]] LegSolution wanted_joints(LegId leg, const RobotState& state) noexcept;
   [[nodiscard]] LegJoints planned_effort(LegId leg, const RobotState& state) const noexcept;
 
@@ -156,6 +166,7 @@ class Executor {
   bool sensed_ = false;    ///< in this tick
   LegArray<Vector3> off_;  ///< from the last set points to the measured feet [m]
   BaseLane base_;
+  DiscreteDisplacement displacement_;
   BaseAutoCommand base_command_;
   BaseGoal base_goal_;
   JointTargets targets_;

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <hexagait/executor/executor.hpp>
 
-/// The executor's last two stages: joint positions and efforts.
+/// The executor's last two stages, joint positions and efforts, and the discrete displacements, which
+/// are lines of joint positions.
 namespace hexagait {
 namespace {
 
@@ -26,6 +27,53 @@ bool Executor::led_by_joints(LegId leg) const noexcept {
          (phase == LegPhase::follow || phase == LegPhase::hold);
 }
 
+bool Executor::is_discrete() const noexcept {
+  return params_.base.displacement_period > 0.0 && !base_follows_ &&
+         params_.controller == WholeBodyController::kinematic;
+}
+
+// The base's velocity for a whole displacement, and where the joints of the standing legs are at its
+// end. If one of them is too slow, all are slower, the base too: they arrive together.
+void Executor::begin_displacement(const RobotState& state, double dt) noexcept {
+  displacement_.ticks = displacement_ticks(params_.base.displacement_period, dt);
+  const double time = displacement_.ticks * dt;
+  take_base_on(state, time);
+  const auto join_all = [&] {
+    double share = 0.0;
+    displacement_.legs = displacement_.reachable = {};
+    for (LegId i = 0; i < legs_.size(); ++i) {
+      if (!legs_[i].on_ground()) continue;
+      join_displacement(i, state, time);
+      share = std::max(share,
+                       speed_share(model_->legs[i], targets_.q[i], displacement_.q_end[i], time));
+    }
+    return share;
+  };
+  constexpr int kTries = 4;  // joints and base are nearly proportional
+  double share = join_all();
+  for (int k = 0; k < kTries && share > 1.0; ++k) {
+    scale(base_, 1.0 / share);
+    share = join_all();
+  }
+}
+
+void Executor::join_displacement(LegId leg, const RobotState& state, double time) noexcept {
+  const Vector3 roll_arm = model_->foot_radius * state.X_OB.R.row(2).transpose();
+  const LegSolution end = joints_after(model_->legs[leg], legs_[leg].p_BF, targets_.q[leg],
+                                       trig_[leg], base_.twist(), time, roll_arm);
+  displacement_.legs.insert(leg);
+  displacement_.reachable.set(leg, end.reachable);
+  displacement_.q_end[leg] = end.q;
+}
+
+// A leg that has just landed joins in: its set point has been carried on in this tick.
+LegSolution Executor::on_its_line(LegId leg, const RobotState& state, double dt) noexcept {
+  const int ticks = displacement_.ticks;
+  if (!displacement_.legs.contains(leg)) join_displacement(leg, state, (ticks - 1) * dt);
+  const LegJoints q = targets_.q[leg] + (displacement_.q_end[leg] - targets_.q[leg]) / ticks;
+  return {q, leg_trig(model_->legs[leg], q), displacement_.reachable.contains(leg)};
+}
+
 // Joint values for the leg's set point or plan, before the velocity limit.
 LegSolution Executor::wanted_joints(LegId leg, const RobotState& state) noexcept {
   const LegModel& model = model_->legs[leg];
@@ -44,7 +92,9 @@ LegSolution Executor::wanted_joints(LegId leg, const RobotState& state) noexcept
 void Executor::set_joints(const RobotState& state, double dt) noexcept {
   for (LegId i = 0; i < legs_.size(); ++i) {
     const LegModel& leg = model_->legs[i];
-    LegSolution wanted = wanted_joints(i, state);
+    if (!legs_[i].on_ground()) displacement_.legs.erase(i);
+    const bool stands = displacement_.ticks > 0 && legs_[i].on_ground();
+    LegSolution wanted = stands ? on_its_line(i, state, dt) : wanted_joints(i, state);
     reachable_[i] = wanted.reachable;
     const bool planned = legs_[i].phase == LegPhase::follow || led_by_joints(i);
     if (!wanted.reachable && !legs_[i].on_ground() && !planned)
@@ -76,8 +126,11 @@ void Executor::set_joints(const RobotState& state, double dt) noexcept {
       legs_[i].v_O = state.X_OB.R * (p_BF - legs_[i].p_BF) / dt;
       legs_[i].p_BF = p_BF;
     }
+    // A foot that slides to the side is where it is.
+    if (leg.has_two_joints() && legs_[i].on_ground()) legs_[i].p_BF = foot_position(leg, trig_[i]);
     targets_.mode[i] = legs_[i].phase == LegPhase::follow ? plans_[i].mode : ControlMode::position;
   }
+  displacement_.ticks = std::max(0, displacement_.ticks - 1);
 }
 
 void Executor::set_efforts(const RobotState& state, double dt) noexcept {

@@ -17,7 +17,7 @@ namespace hexagait {
 inline constexpr int kMaxLegs = 12;
 
 /// Smallest and largest number of joints of a leg. Legs of one robot may differ.
-inline constexpr int kMinLegJoints = 3;
+inline constexpr int kMinLegJoints = 2;
 inline constexpr int kMaxLegJoints = 6;
 
 /// Index of a leg, 0 … n − 1. Left legs are even, right legs odd, and pairs are counted from the

@@ -4,17 +4,19 @@
 
 #include <hexagait/model/leg_solution.hpp>
 #include <hexagait/model/serial_leg.hpp>
+#include <hexagait/model/yaw_pitch.hpp>
 #include <hexagait/model/yaw_pitch_pitch.hpp>
 
 namespace hexagait {
 
-// Forward and inverse kinematics of a leg: in closed form for yaw_pitch_pitch, by iteration for
-// serial. For use in a control loop: nothing here allocates or throws, iterations are bounded, and
+// Forward and inverse kinematics of a leg: in closed form for yaw_pitch_pitch and yaw_pitch, by
+// iteration for serial. For use in a control loop: nothing here allocates or throws, iterations are bounded, and
 // all functions share one set of sines and cosines per leg.
 
 /// Calls f with the LegKinematics of the leg's kind.
 template <class F>
 [[nodiscard]] auto by_kind(const LegModel& leg, F f) noexcept {
+  if (leg.kind == LegKind::yaw_pitch) return f(YawPitchLeg{});
   return leg.kind == LegKind::serial ? f(SerialLeg{}) : f(YawPitchPitchLeg{});
 }
 
@@ -62,7 +64,8 @@ template <class F>
 /// q with the entries beyond the leg's joints set to 0, whatever they were.
 [[nodiscard]] LegJoints own_joints(const LegModel& leg, const LegJoints& q) noexcept;
 
-/// Joint values that put the foot at p_BF, or close to it if it is out of reach.
+/// Joint values that put the foot at p_BF, or close to it if it is out of reach. A leg of two joints
+/// puts it there fore and aft and in height only: (leg 6).
 /// @param p_BF  foot centre in the body frame [m]; any finite value
 /// @param near  joint values [rad], usually the previous ones: where the search of a serial leg
 ///              starts, and which of several solutions it finds

@@ -58,6 +58,7 @@ struct LinkModel {
 enum class LegKind : std::uint8_t {
   yaw_pitch_pitch,  ///< three joints, in closed form: yaw_pitch_pitch.hpp
   serial,           ///< 3 to 6 joints about any axes, by iteration: serial_leg.hpp
+  yaw_pitch,        ///< two joints, reduced control, in closed form: yaw_pitch.hpp
 };
 
 /// A leg: a chain of revolute joints that ends in a spherical foot.
@@ -69,6 +70,9 @@ enum class LegKind : std::uint8_t {
 ///     p_HF = Rz(k₁) (coxa + femur cos k₂ + tibia cos(k₂+k₃), 0, −femur sin k₂ − tibia sin(k₂+k₃))
 ///
 /// The robot's own joint values q follow from k = sign · q + offset.
+///
+/// Yaw-pitch: the same without a knee; femur is from the pitch axis to the foot's centre, tibia is 0.
+/// Its foot can't follow an arc over the ground: has_two_joints().
 ///
 /// Serial: the origin of H is the point of the first axis closest to the second; z is up, x points
 /// outwards. The lengths, signs and offsets are not used.
@@ -98,6 +102,9 @@ struct LegModel {
   double min_reach = 0.0, max_reach = 0.0;
 
   int num_joints() const { return limits.size(); }
+
+  /// Its foot is on a surface: where it stands it slides to the side, and that is no fault.
+  bool has_two_joints() const { return kind == LegKind::yaw_pitch; }
 };
 
 /// A leg's name without "_leg" or "_LEG", which actions may write after it or leave out.

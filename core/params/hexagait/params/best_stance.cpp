@@ -44,8 +44,8 @@ double merit(const RobotModel& robot) {
 }
 
 bool all_pitch_legs(const RobotModel& robot) {
-  return std::ranges::none_of(robot.legs,
-                              [](const LegModel& leg) { return leg.kind == LegKind::serial; });
+  return std::ranges::all_of(
+      robot.legs, [](const LegModel& leg) { return leg.kind == LegKind::yaw_pitch_pitch; });
 }
 
 }  // namespace

@@ -39,6 +39,20 @@ FootSpeed foot_speed(const LegModel& leg, const LegTrig& trig) {
   return speed;
 }
 
+// Of a leg of two joints: fore and aft, and upwards. What is across follows, and is no choice.
+FootSpeed foot_speed_of_two(const LegModel& leg, const LegTrig& trig) {
+  const Eigen::Matrix2d J = (leg.X_BH.R.transpose() * foot_jacobian(leg, trig)).block<2, 2>(1, 0);
+  if (!(std::abs(J.determinant()) > 0.0)) return {0.0, 0.0};
+  const Eigen::Matrix2d inverse = J.inverse();
+  FootSpeed speed;
+  for (int k = 0; k < 2; ++k) {
+    const double limit = leg.limits[k].velocity;
+    speed.sideways = std::min(speed.sideways, limit / std::abs(inverse(k, 0)));
+    speed.upwards = std::min(speed.upwards, limit / std::abs(inverse(k, 1)));
+  }
+  return speed;
+}
+
 // The speeds throughout the volume of a swing of reach ℓ; 0 if a part of it is out of reach.
 FootSpeed speed_in_volume(const LegModel& leg, double reach) {
   constexpr int kDirections = 8;
@@ -50,7 +64,8 @@ FootSpeed speed_in_volume(const LegModel& leg, double reach) {
       if (k > 0) offset.head<2>() = radius * unit_vector(2.0 * std::numbers::pi * k / kDirections);
       const LegSolution solution = inverse_kinematics(leg, leg.p_BC + offset);
       if (!solution.reachable) return {0.0, 0.0};
-      const FootSpeed speed = foot_speed(leg, solution.trig);
+      const FootSpeed speed = leg.has_two_joints() ? foot_speed_of_two(leg, solution.trig)
+                                                   : foot_speed(leg, solution.trig);
       least.sideways = std::min(least.sideways, speed.sideways);
       least.upwards = std::min(least.upwards, speed.upwards);
     }
@@ -153,6 +168,8 @@ constexpr Parameter kParameters[] = {
     {"base.height_speed", "m/s", 0.22, speed, [](P& p) -> double& { return p.base.height_speed; }},
     {"base.tilt_speed", "rad/s", 0.097, rate, [](P& p) -> double& { return p.base.tilt_speed; }},
     {"base.outer_radius", "m", 1.0, outer, [](P& p) -> double& { return p.base.outer_radius; }},
+    {"base.displacement_period", "s", 0.0, none,
+     [](P& p) -> double& { return p.base.displacement_period; }},
 
     {"spring.frequency", "rad/s", 4.03, step_rate,
      [](P& p) -> double& { return p.spring.frequency; }},

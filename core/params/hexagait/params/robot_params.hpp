@@ -125,6 +125,10 @@ struct BaseParams {
   double height_speed = kDerived;      ///< bound [m/s]
   double tilt_speed = kDerived;        ///< bound [rad/s]
   double outer_radius = kDerived;      ///< lever arm from angular to linear acceleration [m]
+  /// Duration of one displacement of the body, at whose end all joints of the standing legs arrive
+  /// together: [PC04]'s discrete posture control, 0.05 s at a servo rate of 20 Hz [s]. 0: smooth, a
+  /// target in every control period. Longer: feet slip more, by (displacement 2).
+  double displacement_period = kDerived;
 };
 
 /// Natural frequencies of the base on the springs of the virtual model.

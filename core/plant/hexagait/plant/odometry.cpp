@@ -205,8 +205,11 @@ void Odometry::update(RobotState& state, const LegArray<double>& footing, double
     if (footing[i] > 0.0) roll(state, i, rotation_B);
 
   measure_noise(state, footing);
+  // Feet of legs of two joints all slide: none is worse than others for it.
   const LegArray<double> trust =
-      without_sliding(footing, state.p_BF, anchor_O_, slide_tolerance2());
+      model_->legs[0].has_two_joints()
+          ? footing
+          : without_sliding(footing, state.p_BF, anchor_O_, slide_tolerance2());
   const Pose X_OB =
       registered(X_OB_, state.p_BF, anchor_O_, trust, tolerance_.in_a_row * tolerance_.in_a_row);
   state.V_B = twist_between(X_OB_, X_OB, dt);

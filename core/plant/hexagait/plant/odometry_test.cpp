@@ -38,7 +38,7 @@ RobotState standing(const LegArray<Vector3>& p_BF) {
 }
 
 /// The displacement by the twist V within t. The closed form for V constant: by halving.
-Pose displacement(const Twist& V, double t) {
+Pose travelled(const Twist& V, double t) {
   constexpr int kHalvings = 12;
   const double h = t / (1 << kHalvings);
   Pose X{rotation(V.w * h), h * V.v + 0.5 * h * h * V.w.cross(V.v)};
@@ -125,7 +125,7 @@ TEST(Odometry, ReproducesAnyTwistOverFixedFootholds) {
     const Pose X_0 = state.X_OB;
     const LegArray<Vector3> foothold_O = state.p_OF;
     for (int tick = 1; tick <= 500; ++tick) {
-      const Pose X_OB = X_0 * displacement(V, tick * kDt);
+      const Pose X_OB = X_0 * travelled(V, tick * kDt);
       for (LegId i = 0; i < 6; ++i) state.p_BF[i] = X_OB.inverse() * foothold_O[i];
       odometry.update(state, LegArray<double>(6, 1.0), kDt);
       ASSERT_LT(distance(state.X_OB, X_OB), 0.5 * (V.w * kDt).squaredNorm() + 1e-9);
@@ -133,7 +133,7 @@ TEST(Odometry, ReproducesAnyTwistOverFixedFootholds) {
     EXPECT_LT((state.V_B.w - V.w).norm(), 1e-5);
     EXPECT_LT((state.V_B.v - V.v).norm(), 1e-3) << "mean over the tick: differs by |w| |v| dt / 2";
     for (int tick = 0; tick < 2; ++tick) odometry.update(state, LegArray<double>(6, 1.0), kDt);
-    EXPECT_LT(distance(state.X_OB, X_0 * displacement(V, 500 * kDt)), 1e-11);
+    EXPECT_LT(distance(state.X_OB, X_0 * travelled(V, 500 * kDt)), 1e-11);
   }
 }
 
@@ -148,7 +148,7 @@ TEST(Odometry, IsExactToANanometreOnTheLevel) {
   odometry.reset(state);
   const Pose X_0 = state.X_OB;
   for (int tick = 1; tick <= 1000; ++tick) {
-    const Pose X_OB = X_0 * displacement(V, tick * kDt);
+    const Pose X_OB = X_0 * travelled(V, tick * kDt);
     for (LegId i = 0; i < 6; ++i) state.p_BF[i] = X_OB.inverse() * (X_0 * six_feet()[i]);
     odometry.update(state, LegArray<double>(6, 1.0), kDt);
     ASSERT_LT(distance(state.X_OB, X_OB), 2e-9);
@@ -236,8 +236,8 @@ TEST(Odometry, FollowsTheRollOfEveryFootWhenTheBodyTurns) {
   LegArray<Vector3> p_OF = state.p_OF;
   double worst = 0.0;
   for (int step = 1; step <= 150 * kSubsteps; ++step) {
-    const Pose X_before = X_0 * displacement(V, (step - 1) * kDt / kSubsteps);
-    const Pose X_OB = X_0 * displacement(V, step * kDt / kSubsteps);
+    const Pose X_before = X_0 * travelled(V, (step - 1) * kDt / kSubsteps);
+    const Pose X_OB = X_0 * travelled(V, step * kDt / kSubsteps);
     for (LegId i = 0; i < 6; ++i) {
       const Matrix3 R_before = X_before.R * tibia_rotation(rolling.legs[i], state.trig[i]);
       const Vector3 before = p_OF[i];
@@ -256,7 +256,7 @@ TEST(Odometry, FollowsTheRollOfEveryFootWhenTheBodyTurns) {
     worst = std::max(worst, distance(state.X_OB, X_OB));
   }
   EXPECT_LT(worst, 2e-5);
-  EXPECT_GT(distance(naive.X_OB, X_0 * displacement(V, 150 * kDt)), 2e-3);
+  EXPECT_GT(distance(naive.X_OB, X_0 * travelled(V, 150 * kDt)), 2e-3);
 }
 
 // Ten seconds on six feet whose positions have a noise of 1 mm per axis, as from 2 mrad at the

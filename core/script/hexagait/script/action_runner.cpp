@@ -18,8 +18,12 @@ RunnerParams completed(RunnerParams params, const RobotModel& model) {
   return params;
 }
 
-RunnerParams checked_without_reflexes(RunnerParams params) {
+RunnerParams checked_without_reflexes(RunnerParams params, const RobotModel& model) {
   Violations violations("action runner");
+  if (model.legs[0].has_two_joints())
+    violations.add("robot", "is " + model.name +
+                                ", whose legs have two joints: its feet can't go where an action "
+                                "puts them; it can walk and be steered");
   check_controller(violations, params.control_dt, params.late_limit, params.executor);
   violations.throw_if_any();
   params.executor.swing.reflexes = false;
@@ -30,7 +34,7 @@ RunnerParams checked_without_reflexes(RunnerParams params) {
 
 ActionRunner::ActionRunner(const RobotModel& model, const RunnerParams& params)
     : model_(&model),
-      params_(checked_without_reflexes(completed(params, model))),
+      params_(checked_without_reflexes(completed(params, model), model)),
       estimator_(model, params_.sensors, params_.tolerance),
       sequencer_(model, params_.sequencer),
       executor_(model, params_.executor) {

@@ -31,7 +31,7 @@ TEST(RefusedRobots, HaveWheelsOrLegsOfOneJoint) {
   const std::string rover = "<robot name='rover'><link name='b'/>" + more + "</robot>";
   EXPECT_THAT(refusal(rover), AllOf(HasSubstr("has 0 legs; need an even number from 4 to 12"),
                                     HasSubstr("joint a3: is no leg: is a wheel of radius 0.05 m, "
-                                              "and a leg has 3 joints or more")));
+                                              "and a leg has 2 joints or more")));
   const RobotText wheeled{.tibia_has = "",
                           .foot =
                               "<link name='w{0}'><collision><origin rpy='1.5707963267948966 0 0'/>"
@@ -42,14 +42,30 @@ TEST(RefusedRobots, HaveWheelsOrLegsOfOneJoint) {
   expect_refused(wheeled, {"ends in a wheel of radius 0.03 m", "make its joint fixed"});
 }
 
-TEST(RefusedRobots, HaveLegsOfTwoJoints) {
+/// With this joint fixed in some of the legs.
+std::string without_joint(int joint, int legs) {
   std::string text = RobotText().text();
-  for (int i = 0; i < 6; ++i) {
-    const std::size_t at = text.find(fmt::format("name='q{}-0' type='revolute'", i));
+  for (int i = 0; i < legs; ++i) {
+    const std::size_t at = text.find(fmt::format("name='q{}-{}' type='revolute'", i, joint));
     text.replace(text.find("revolute", at), 8, "fixed");
   }
-  EXPECT_THAT(refusal(text), AllOf(HasSubstr("has 2 movable joints; a leg has 3 to 6"),
-                                   HasSubstr("leg of joint q5-1")));
+  return text;
+}
+
+// Lifted and bent, but not swung: such a leg can't move its foot fore and aft.
+TEST(RefusedRobots, HaveLegsOfTwoJointsThatDoNotSwing) {
+  EXPECT_THAT(refusal(without_joint(0, 6)),
+              AllOf(HasSubstr("has two joints; such a leg must swing about the vertical"),
+                    HasSubstr("leg q5")));
+}
+
+TEST(RefusedRobots, HaveSomeLegsOfTwoJoints) {
+  EXPECT_THAT(
+      refusal(without_joint(2, 2)),
+      AllOf(HasSubstr("leg of joint q0-0: has 2 movable joints, and the other legs have more"),
+            HasSubstr("leg of joint q1-0")));
+  EXPECT_THAT(refusal(without_joint(2, 4)),
+              HasSubstr("has 4 legs of two joints, and others of more"));
 }
 
 // Of one pair the hips can only lift.
@@ -96,7 +112,7 @@ TEST(RefusedRobots, HaveFarTooManyJointsOrLegs) {
   for (int i = 1; i < 900; ++i)
     snake += RobotText::limb(fmt::format("s{}", i), "revolute", fmt::format("s{}", i - 1),
                              {0.1, 0, 0}, i % 2 ? "0 1 0" : "0 0 1");
-  EXPECT_THAT(refusal(snake + "</robot>"), HasSubstr("has 899 movable joints; a leg has 3 to 6"));
+  EXPECT_THAT(refusal(snake + "</robot>"), HasSubstr("has 899 movable joints; a leg has 2 to 6"));
   RobotText many{.hips = RobotText::rows(83)};
   EXPECT_THAT(refusal(many.text()), HasSubstr("has 166 legs; need an even number from 4 to 12"));
 }

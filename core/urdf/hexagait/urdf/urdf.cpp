@@ -184,6 +184,11 @@ LegArray<LegModel> recognise_legs(Recognition& r, const RobotTree& tree) {
   LegArray<LegModel> ordered = in_leg_order(std::move(legs), r.violations);
   make_names_unique(ordered, r.substitutions);
   for (LegModel& leg : ordered) derive_stance(leg, r.violations, r.substitutions);
+  const auto two = std::ranges::count_if(ordered, &LegModel::has_two_joints);
+  if (two != 0 && two != ordered.size())
+    r.violations.add("robot", "has " + std::to_string(two) +
+                                  " legs of two joints, and others of more; all its legs must have "
+                                  "two, or all more (--legs)");
   if (r.violations.empty()) share_ground(ordered, r.violations, r.substitutions);
   return ordered;
 }

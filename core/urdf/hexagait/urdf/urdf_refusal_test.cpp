@@ -129,7 +129,7 @@ TEST(ParseUrdf, RefusesChainsThatAreNoLegs) {
       {"axis xyz=\"0 0 1\"", "axis xyz=\"0 1 0\"", immobile, yaw},
       {"xyz=\"0.28 0 0\"", "xyz=\"0 0 0\"", immobile, knee},
       {"type=\"revolute\"", "type=\"fixed\"",
-       "leg of joint LF_hip: has 2 movable joints; a leg has 3 to 6", yaw},
+       "leg of joint LF_hip: has 2 movable joints, and the other legs have more", yaw},
       {"type=\"revolute\"", "type=\"prismatic\"",
        "joint LF_yaw: moves, but is neither revolute nor continuous", yaw},
       {"type=\"revolute\"", "type=\"wobbly\"", "joint LF_yaw: type is 'wobbly'; it must be fixed",
@@ -189,12 +189,12 @@ TEST(ParseUrdf, RefusesAnyNumberOfLegsThatDoesNotPair) {
 TEST(ParseUrdf, ListsAllViolationsAtOnceALineEach) {
   std::string text = edited(argos_text(), "lower=\"0.0\"", "lower=\"3\"", "name=\"RR_knee\"");
   text = edited(text, "type=\"revolute\"", "type=\"fixed\"", "name=\"LM_yaw\"");
-  EXPECT_EQ(
-      refusal(text),
-      "robot.urdf:243: leg of joint LM_hip: has 2 movable joints; a leg has 3 to 6, or leave it "
-      "out (--legs)\n"
-      "robot.urdf:533: joint RR_knee: lower limit 3 rad, upper limit 2.76 rad; need lower < "
-      "upper");
+  EXPECT_EQ(refusal(text),
+            "robot.urdf:243: leg of joint LM_hip: has 2 movable joints, and the other legs have "
+            "more: give "
+            "it as many, or leave it out (--legs)\n"
+            "robot.urdf:533: joint RR_knee: lower limit 3 rad, upper limit 2.76 rad; need lower < "
+            "upper");
   text = edited(text, "mass value=\"1.2\"", "mass value=\"-1.2\"");
   text = edited(text, "mass value=\"0.78\"", "mass value=\"a\"");
   EXPECT_EQ(refusal(text),

@@ -54,6 +54,24 @@ TEST(Argos, HasSplayedWorkspaceCentresThatMirrorEachOther) {
   }
 }
 
+// Two joints: 0.02 m to the lift axis, 0.10 m to the foot, lowered by 45°. Angles of the file have six digits.
+TEST(Genghis, HasLegsOfTwoJoints) {
+  const RobotModel genghis = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/genghis.urdf");
+  ASSERT_EQ(genghis.num_legs(), 6);
+  EXPECT_NEAR(genghis.mass, 1.0, 1e-12);
+  const double side = 0.1 * std::sqrt(0.5);
+  for (LegId i = 0; i < 6; ++i) {
+    const LegModel& leg = genghis.legs[i];
+    EXPECT_EQ(leg.kind, LegKind::yaw_pitch);
+    EXPECT_TRUE(leg.has_two_joints());
+    EXPECT_NEAR(leg.coxa, 0.02, 1e-12);
+    EXPECT_NEAR(leg.femur, 0.10, 1e-12);
+    const double y = (i % 2 == 0 ? 1.0 : -1.0) * (0.055 + 0.02 + side);
+    EXPECT_LT(distance(leg.p_BC, {0.13 * (1 - i / 2), y, -side}), 1e-6);
+    EXPECT_NEAR(leg.workspace_radius, 0.1 / 3.0, 1e-9);
+  }
+}
+
 // By the legs' symmetry in x = y = 0. Height, in the nominal stance: the knee is square-on where
 // cos k₃ = (0.28² + 0.3² − 0.28² − 0.38²) / (2·0.28·0.38), and so on by the law of cosines; femur,
 // shin and foot have their centres at half the knee's height, midway from knee to foot, and at

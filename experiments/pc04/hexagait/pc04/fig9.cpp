@@ -28,16 +28,6 @@ walk::Schedule trajectory(double share) {
           {share * 45.0, Heading::straight(0.0)}};
 }
 
-// Between two lifts; also before the first and after the last.
-double longest_pause(const recording::Recording& recording) {
-  double pause = 0.0, before = 0.0;
-  for (const recording::Recording::Step& step : recording.steps()) {
-    pause = std::max(pause, step.lift - before);
-    before = step.lift;
-  }
-  return std::max(pause, recording.samples().back().time - before);
-}
-
 }  // namespace
 
 Outcome fig9(const ExperimentContext& context, figures::StagedFiles& files) {

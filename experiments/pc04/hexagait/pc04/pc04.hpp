@@ -17,6 +17,8 @@ Outcome fig7b(const ExperimentContext& context, figures::StagedFiles& files);
 Outcome fig7_physics(const ExperimentContext& context, figures::StagedFiles& files);
 Outcome fig9(const ExperimentContext& context, figures::StagedFiles& files);
 Outcome fig10(const ExperimentContext& context, figures::StagedFiles& files);
+Outcome fig11(const ExperimentContext& context, figures::StagedFiles& files);
+Outcome fig12(const ExperimentContext& context, figures::StagedFiles& files);
 Outcome wave_family(const ExperimentContext& context, figures::StagedFiles& files);
 
 }  // namespace hexagait::experiments

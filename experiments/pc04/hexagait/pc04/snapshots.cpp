@@ -52,6 +52,16 @@ void write_snapshots(figures::StagedFiles& files, const std::string& stem,
                          {"snapshots", names}});
 }
 
+void write_commands(figures::StagedFiles& files, const std::string& stem,
+                    const std::vector<double>& commands, const Recording& recording) {
+  figures::Csv csv("time_s,x_m,y_m");
+  for (const double time : commands) {
+    const Vector3& p_WB = sample_at(recording, time).X_WB.p;
+    csv.row(time, p_WB.x(), p_WB.y());
+  }
+  figures::write_tables(files, stem, {{"commands", csv}});
+}
+
 void write_terrain(figures::StagedFiles& files, const std::string& name,
                    const sim3d::Terrain& terrain, const figures::Box& shown) {
   figures::Csv csv("x_min_m,x_max_m,y_min_m,y_max_m,height_m");
@@ -71,6 +81,15 @@ const Recording::Sample& sample_at(const Recording& recording, double time) {
   return it == samples.end() ? samples.back() : *it;
 }
 
+double longest_pause(const Recording& recording) {
+  double pause = 0.0, before = 0.0;
+  for (const Recording::Step& step : recording.steps()) {
+    pause = std::max(pause, step.lift - before);
+    before = step.lift;
+  }
+  return std::max(pause, recording.samples().back().time - before);
+}
+
 RecordedWalk record(const ExperimentContext& context, const recording::Simulation& simulation) {
   RecordedWalk walk{Recording({simulation.terrain, simulation.seed}), {}};
   const auto observe = [&](const auto& record, const auto& truth, const auto& referee) {
@@ -84,8 +103,10 @@ RecordedWalk record(const ExperimentContext& context, const recording::Simulatio
 
 void draw_snapshots(figures::StagedFiles& files, figures::Figure figure,
                     const std::vector<double>& times, const sim3d::Terrain& terrain,
-                    const Recording& recording, const RobotModel& robot) {
+                    const Recording& recording, const RobotModel& robot,
+                    const std::vector<double>& commands) {
   write_snapshots(files, figure.stem, times, recording, robot);
+  if (!commands.empty()) write_commands(files, figure.stem, commands, recording);
 
   // The figure's size, from the ground that is shown: a metre is as long across as up.
   figures::Box shown;
@@ -110,7 +131,12 @@ void draw_snapshots(figures::StagedFiles& files, figures::Figure figure,
                        {{"ground", ground},
                         {"ground", shown},
                         {"rough", rough ? 1 : 0},
+<<<<<<< HEAD
                         {"level_max", terrain.highest()}},
+=======
+                        {"commanded", commands.empty() ? 0 : 1},
+                        {"level_max", terrain.spec().height}},
+>>>>>>> lauron
                        scripts::pc04::snapshots);
 }
 

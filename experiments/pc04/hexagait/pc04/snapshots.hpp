@@ -24,13 +24,18 @@ struct RecordedWalk {
 [[nodiscard]] const recording::Recording::Sample& sample_at(const recording::Recording& recording,
                                                             double time);
 
+/// The longest time between two lifts, also before the first one and after the last [s].
+[[nodiscard]] double longest_pause(const recording::Recording& recording);
+
 /// Draws a walk from above, the robot itself at some instants, A, B, C …: its body, its legs, where
 /// its feet stood; below it the ground, if that is rough. The figure's size follows from the ground
 /// that is seen. Writes it, and what it was made of: stem.gp, stem-body.csv, stem-steps.csv,
 /// stem-outlines.csv, stem-legs.csv, stem-snapshots.csv, and stem-terrain.csv.
-/// @param times  of the instants [s]
+/// @param times     of the instants [s]
+/// @param commands  times at which a command came, each a circle on the path [s]
 void draw_snapshots(figures::StagedFiles& files, figures::Figure figure,
                     const std::vector<double>& times, const sim3d::Terrain& terrain,
-                    const recording::Recording& recording, const RobotModel& robot);
+                    const recording::Recording& recording, const RobotModel& robot,
+                    const std::vector<double>& commands = {});
 
 }  // namespace hexagait::experiments

@@ -36,6 +36,13 @@ bool has_yaw_pitch_pitch_axes(const SerialChain& chain) {
          misalignment(hip, knee) < kTolerance;
 }
 
+/// Two joints: yaw about the vertical, then a level pitch axis.
+bool has_yaw_pitch_axes(const SerialChain& chain) {
+  return chain.joints.size() == 2 &&
+         misalignment(chain.joints[0].axis_B0, Vector3::UnitZ()) < kTolerance &&
+         std::abs(chain.joints[1].axis_B0.z()) < kTolerance;
+}
+
 /// x_H: horizontal, normal to the pitch axis, outwards.
 Vector3 outward_direction(const SerialChain& chain) {
   const Vector3 yaw = chain.joints[0].p_BJ0, hip = chain.joints[1].p_BJ0;
@@ -53,12 +60,33 @@ Vector3 outward_direction(const SerialChain& chain) {
 /// The angle of the direction (x, z) below x: positive downwards [rad].
 double pitch_of(const Vector3& v_H) { return portable::atan2(-v_H.z(), v_H.x()); }
 
+/// The hip frame of a leg that begins with yaw and pitch.
+void derive_hip(const SerialChain& chain, LegModel& leg) {
+  const Vector3 x = outward_direction(chain), z = Vector3::UnitZ();
+  leg.X_BH.R << x, z.cross(x), z;
+  leg.X_BH.p << chain.joints[0].p_BJ0.head<2>(), chain.joints[1].p_BJ0.z();
+  for (int i = 0; i < leg.num_joints(); ++i) {
+    const Vector3& axis = chain.joints[static_cast<std::size_t>(i)].axis_B0;
+    leg.joint_sign[i] = axis.dot(leg.X_BH.R.col(i == 0 ? 2 : 1)) > 0.0 ? 1.0 : -1.0;
+  }
+}
+
+/// Of a leg of two joints.
+void derive_short_geometry(const SerialChain& chain, LegModel& leg) {
+  leg.kind = LegKind::yaw_pitch;
+  derive_hip(chain, leg);
+  const Pose X_HB = leg.X_BH.inverse();
+  leg.coxa = (X_HB * chain.joints[1].p_BJ0).x();
+  const Vector3 p_PF = X_HB * leg.p_BF0 - Vector3(leg.coxa, 0.0, 0.0);
+  leg.femur = portable::hypot(p_PF.x(), p_PF.z());
+  leg.joint_offset = {0.0, pitch_of(p_PF), 0.0};
+}
+
 /// Lengths, signs and offsets from the axes and points at zero.
 void derive_geometry(const SerialChain& chain, LegModel& leg) {
-  const Vector3 x = outward_direction(chain), z = Vector3::UnitZ(), y = z.cross(x);
-  const TreeJoint &yaw = chain.joints[0], &hip = chain.joints[1], &knee = chain.joints[2];
-  leg.X_BH.R << x, y, z;
-  leg.X_BH.p << yaw.p_BJ0.head<2>(), hip.p_BJ0.z();
+  derive_hip(chain, leg);
+  const TreeJoint &hip = chain.joints[1], &knee = chain.joints[2];
+  const Vector3 x = leg.X_BH.R.col(0);
 
   const Pose X_HB = leg.X_BH.inverse();
   const Vector3 p_HK = X_HB * knee.p_BJ0, p_HF = X_HB * leg.p_BF0;
@@ -67,17 +95,14 @@ void derive_geometry(const SerialChain& chain, LegModel& leg) {
   leg.femur = portable::hypot(p_HK.x() - p_HP.x(), p_HK.z());
   leg.tibia = portable::hypot(p_HF.x() - p_HK.x(), p_HF.z() - p_HK.z());
 
-  for (int i = 0; i < 3; ++i) {
-    const auto j = static_cast<std::size_t>(i);
-    leg.joint_sign[i] = chain.joints[j].axis_B0.dot(i == 0 ? z : y) > 0.0 ? 1.0 : -1.0;
-  }
   const double femur_pitch = pitch_of(p_HK - p_HP), tibia_pitch = pitch_of(p_HF - p_HK);
   leg.joint_offset = {0.0, femur_pitch, wrap_angle(tibia_pitch - femur_pitch)};
 }
 
-bool has_yaw_pitch_pitch_shape(const LegModel& leg) {
+bool has_shape_of_its_kind(const LegModel& leg) {
   const double off_plane = (leg.X_BH.inverse() * leg.p_BF0).y();
-  return std::abs(off_plane) < kTolerance && leg.femur > kTolerance && leg.tibia > kTolerance;
+  const bool has_tibia = leg.kind == LegKind::yaw_pitch || leg.tibia > kTolerance;
+  return std::abs(off_plane) < kTolerance && leg.femur > kTolerance && has_tibia;
 }
 
 /// The hip frame of any other leg.
@@ -122,7 +147,11 @@ LegModel recognise_leg(const SerialChain& chain) {
   LegModel leg = with_joints_of(chain);
   if (has_yaw_pitch_pitch_axes(chain)) {
     derive_geometry(chain, leg);
-    if (has_yaw_pitch_pitch_shape(leg)) return leg;
+    if (has_shape_of_its_kind(leg)) return leg;
+  }
+  if (has_yaw_pitch_axes(chain)) {
+    derive_short_geometry(chain, leg);
+    if (has_shape_of_its_kind(leg)) return leg;
   }
   LegModel serial = with_joints_of(chain);
   serial.kind = LegKind::serial;

@@ -28,7 +28,7 @@ namespace hexagait {
 /// the body on which the hip is.
 ///
 /// Limits, links, axes and points are copied; the workspace is left empty.
-/// @pre the chain has 3 to 6 joints, and a foot
+/// @pre the chain has 2 to 6 joints, and a foot
 [[nodiscard]] LegModel recognise_leg(const SerialChain& chain);
 
 }  // namespace hexagait

@@ -14,7 +14,7 @@ constexpr double kLeastWorkspace = 0.05;  // of the leg's length
 constexpr double kSameHeight = 1e-3;      // of the leg's length
 
 double length_of(const LegModel& leg) {
-  if (leg.kind == LegKind::yaw_pitch_pitch) return leg.coxa + leg.femur + leg.tibia;
+  if (leg.kind != LegKind::serial) return leg.coxa + leg.femur + leg.tibia;
   const SerialLengths lengths = serial_lengths(leg);
   return lengths.coxa + lengths.upper + lengths.rest;
 }
@@ -94,6 +94,26 @@ bool stand_near(LegModel& leg, const Vector3& p_BF, int rings) {
                              [&](const Vector3& p) { return stand_at(leg, p); });
 }
 
+/// Swung to the middle of what is straight out and allowed, and lowered by an eighth of a turn: the
+/// foot can rise and fall, and to swing it takes a short arc. Where limits forbid that, as near to it
+/// as they let.
+void take_stance_of_two_joints(LegModel& leg, Violations& violations) {
+  constexpr double kLowered = 0.25 * std::numbers::pi;
+  leg.min_reach = leg.max_reach = leg.femur;
+  LegJoints q = LegJoints::Zero();
+  for (int i = 0; i < 2; ++i)
+    q[i] = std::clamp(leg.joint_sign[i] * ((i == 0 ? 0.0 : kLowered) - leg.joint_offset[i]),
+                      leg.limits[i].lower, leg.limits[i].upper);
+  leg.p_BC = foot_position(leg, q);
+  leg.q_nominal = q;
+  const double down = (leg.X_BH.inverse() * leg.p_BC).z();
+  leg.workspace_radius = down < 0.0 ? reachable_radius(leg) : 0.0;
+  if (leg.workspace_radius < kLeastWorkspace * length_of(leg))
+    violations.add("leg " + leg.name, "has no room for a step: its foot stands " + metres(-down) +
+                                          " below the hip; the joint limits must "
+                                          "let it swing fore and aft there");
+}
+
 Substitution moved(const LegModel& leg, const std::string& found) {
   const Vector3 p_HC = leg.X_BH.inverse() * leg.p_BC;
   return {Origin::derived,
@@ -110,6 +130,13 @@ Substitution moved(const LegModel& leg, const std::string& found) {
 
 void derive_stance(LegModel& leg, Violations& violations,
                    std::vector<Substitution>& substitutions) {
+  if (leg.kind == LegKind::yaw_pitch) return take_stance_of_two_joints(leg, violations);
+  if (leg.num_joints() < 3) {
+    violations.add("leg " + leg.name,
+                   "has two joints; such a leg must swing about the vertical and then be lowered "
+                   "about a level axis, with its foot in the plane of both");
+    return;
+  }
   if (leg.kind == LegKind::serial) return take_serial_stance(leg, violations);
   const Reach reach = leg_reach(leg);
   if (!(reach.min <= reach.max)) {

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kDeepEnough = 0.3;                // of the middle leg's way below the underside
 constexpr double kShortest = 0.6, kLongest = 1.6;  // of the middle leg's length
+constexpr int kUsualJoints = 3;                    // of a leg; those of two joints are rare
 constexpr double kOnAxis = 0.1;                    // of a wheel's radius
 // Beyond these it is no robot of ours in any case, and searches would take long.
 constexpr int kMostJoints = 2 * kMaxLegJoints;
@@ -125,13 +126,15 @@ std::string in_joints(int joints) {
          std::to_string(kMinLegJoints) + " to " + std::to_string(kMaxLegJoints);
 }
 
-/// The length of the middle leg: of those with enough joints, if there are some.
+/// The length of the middle leg: of those with three joints or more, if there are some.
+/// @param fewest  joints of a leg of this robot
 double usual_length(const std::vector<Measured>& all, int& fewest) {
-  for (fewest = kMinLegJoints; fewest >= 2; --fewest) {
+  for (fewest = kUsualJoints; fewest >= kMinLegJoints; --fewest) {
     std::vector<double> lengths;
     for (const Measured& m : all)
       if (m.reaches && m.joints >= fewest) lengths.push_back(m.length);
-    if (lengths.size() >= 4 || (fewest == 2 && !lengths.empty())) return median(lengths);
+    if (lengths.size() >= 4 || (fewest == kMinLegJoints && !lengths.empty()))
+      return median(lengths);
   }
   return 0.0;
 }
@@ -149,12 +152,16 @@ Verdict verdict(const Measured& m, double bottom, double length, int fewest) {
   if (!m.reaches) {
     const std::string why = "gets down to z = " + metres(m.lowest) +
                             " only; the body's underside is at " + metres(bottom);
-    return as_long && m.joints >= kMinLegJoints
+    return as_long && m.joints >= fewest
                ? Verdict{"", why + "; its joint limits must let it reach the ground"}
                : Verdict{why, ""};
   }
-  if (m.joints < fewest && !as_long) return {in_joints(m.joints), ""};
-  if (m.joints < kMinLegJoints || m.joints > kMaxLegJoints) return {"", in_joints(m.joints)};
+  if (m.joints < fewest) {
+    const std::string few =
+        "has " + std::to_string(m.joints) + " movable joints, and the other legs have more";
+    return as_long ? Verdict{"", few + ": give it as many"} : Verdict{few, ""};
+  }
+  if (m.joints > kMaxLegJoints) return {"", in_joints(m.joints)};
   if (m.wheel > 0.0 && m.wheel > 0.05 * m.length)
     return {"", "ends in a wheel of radius " + metres(m.wheel) +
                     "; hexagait walks on feet: make its joint fixed"};
@@ -216,7 +223,7 @@ std::vector<Verdict> judge(const UrdfFile& file, const RobotTree& tree,
   if (!options.legs.empty()) return as_given(file, tree, options.legs);
   const double bottom = underside(tree);
   const std::vector<Measured> all = measure(tree, feet, bottom);
-  int fewest = kMinLegJoints;
+  int fewest = kUsualJoints;
   const double length = usual_length(all, fewest);
   std::vector<Verdict> verdicts;
   verdicts.reserve(all.size());
