@@ -13,6 +13,19 @@ namespace {
 
 using heading_control::PathArc;
 
+// p_B → p_G, where they are not the same.
+class FromBody {
+ public:
+  explicit FromBody(const Pose* X_BG) : same_(!X_BG) {
+    if (X_BG) X_GB_ = X_BG->inverse();
+  }
+  Vector3 operator()(const Vector3& p_B) const { return same_ ? p_B : Vector3(X_GB_ * p_B); }
+
+ private:
+  bool same_;
+  Pose X_GB_;
+};
+
 // Fraction of its workspace radius that a support leg may use before the base waits for it.
 constexpr double kUsableShare = 0.98;
 
@@ -28,12 +41,17 @@ BaseGoal pose_adaptation(const BaseAutoCommand& command, const PoseAdaptationInp
 // Path until the foot, which moves backwards along the arc, leaves the disc about its centre [m].
 // The arc is replaced by its tangent: short by less than 4 % of the stroke at r = 0.3 m. Of a
 // correction: the share of it.
-double workspace_left(const Vector2& offset, const Vector2& direction, double radius) {
+struct WorkspaceLeft {
+  double ahead = std::numeric_limits<double>::infinity();
+  double back = std::numeric_limits<double>::infinity();  // if it moves the other way
+};
+WorkspaceLeft workspace_left(const Vector2& offset, const Vector2& direction, double radius) {
   const double speed2 = direction.squaredNorm();
-  if (speed2 <= 0.0) return std::numeric_limits<double>::infinity();
+  if (speed2 <= 0.0) return {};
   const double b = offset.dot(direction) / speed2;
-  const double root = b * b - (offset.squaredNorm() - radius * radius) / speed2;
-  return root <= 0.0 ? std::max(0.0, b) : std::max(0.0, b + std::sqrt(root));
+  const double square = b * b - (offset.squaredNorm() - radius * radius) / speed2;
+  const double root = square <= 0.0 ? 0.0 : std::sqrt(square);
+  return {std::max(0.0, b + root), std::max(0.0, -b + root)};
 }
 
 // An edge of the support polygon: how far inside of it the centre of mass is [m], and how much
@@ -113,14 +131,14 @@ double nominal_step_time(const SwingParams& swing, const StepParams& step) noexc
 
 gait_state::GaitInput gait_input(const RobotModel& model, const PathArc& arc,
                                  const Executor& executor, const StepParams& params,
-                                 const Pose& X_BG) noexcept {
+                                 const Pose* X_BG) noexcept {
   const int n = model.num_legs();
-  const Pose X_GB = X_BG.inverse();
+  const FromBody from_body(X_BG);
   gait_state::GaitInput input{LegArray<double>(n, 0.0), LegSet(), LegSet()};
   const LegSet support = executor.support();
   for (LegId i = 0; i < n; ++i) {
     const LegModel& leg = model.legs[i];
-    const Vector3 p_GF = X_GB * executor.legs()[i].p_BF;
+    const Vector3 p_GF = from_body(executor.legs()[i].p_BF);
     input.lag[i] = lag(arc, i, p_GF);
     input.airborne.set(i, !support.contains(i));
     const double behind = arc.direction[i].dot((leg.p_BC - p_GF).head<2>());
@@ -130,25 +148,25 @@ gait_state::GaitInput gait_input(const RobotModel& model, const PathArc& arc,
 }
 
 double path_to_come(const PathArc& arc, const Executor& executor, double half_step,
-                    const Pose& X_BG) noexcept {
+                    const Pose* X_BG) noexcept {
   const LegSet support = executor.support();
-  const Pose X_GB = X_BG.inverse();
+  const FromBody from_body(X_BG);
   LegArray<Vector3> p_GF(arc.p_BC.size());
   for (LegId i = 0; i < p_GF.size(); ++i)
-    p_GF[i] = support.contains(i) ? X_GB * executor.legs()[i].p_BF : aep(arc, i, half_step);
+    p_GF[i] = support.contains(i) ? from_body(executor.legs()[i].p_BF) : aep(arc, i, half_step);
   return std::max(0.0, posture::arc_optimum(p_GF, arc.p_BC, support, arc.per_metre).advance);
 }
 
 FootstepCommand footstep(const RobotModel& model, const PathArc& arc, const RobotState& state,
                          LegId leg, double half_step, double to_come, const StepParams& params,
-                         const Pose& X_BG) noexcept {
+                         const Pose* X_BG) noexcept {
   const double reach = 0.5 * model.legs[leg].workspace_radius;
   const Vector3 aep_GF = aep(arc, leg, std::min(half_step, reach) + to_come);
   const double start_z = state.print_O[leg].z();
   double highest_z = start_z;
   for (const Vector3& print : state.print_O) highest_z = std::max(highest_z, print.z());
 
-  FootstepCommand step{leg, state.X_OB * (X_BG * aep_GF), 0.0};
+  FootstepCommand step{leg, state.X_OB * (X_BG ? *X_BG * aep_GF : aep_GF), 0.0};
   step.p_OT.z() = start_z;
   step.profile_height =
       std::min(params.max_height, params.height + params.roughness_gain * (highest_z - start_z));
@@ -175,9 +193,10 @@ BaseAutoCommand base_auto(const RobotModel& model, const PathArc& arc, const Exe
     const Vector2 corrected = correction.v + correction.w * perpendicular(p_BF.head<2>());
     const Vector2 direction = direction_at(arc, p_BF);
     const double radius = kUsableShare * model.legs[i].workspace_radius;
-    ahead = std::min(ahead, workspace_left(offset, direction, radius));
-    back = std::min(back, workspace_left(offset, -direction, radius));
-    share = std::min(share, workspace_left(offset, corrected, radius));
+    const WorkspaceLeft left = workspace_left(offset, direction, radius);
+    ahead = std::min(ahead, left.ahead);
+    back = std::min(back, left.back);
+    share = std::min(share, workspace_left(offset, corrected, radius).ahead);
   }
   // A base that goes on rolls a foot on an edge farther off it.
   if (!(executor.giving_way() & support).empty()) ahead = 0.0;

@@ -16,16 +16,16 @@ namespace hexagait::footstep_gen {
 
 /// The input of the gait state: lag, urgency and support of each leg.
 /// @param X_BG  pose on the commanded path for which legs step, in the body frame: while a robot
-///              crawls its body sways about its path, and its footholds must not
+///              crawls its body sways about its path, and its footholds must not; null: the body's
 [[nodiscard]] gait_state::GaitInput gait_input(const RobotModel& model,
                                                const heading_control::PathArc& arc,
                                                const Executor& executor, const StepParams& params,
-                                               const Pose& X_BG = {}) noexcept;
+                                               const Pose* X_BG = nullptr) noexcept;
 
 /// Path by which the base will have advanced when all feet now in the air have landed on their AEPs
 /// [m]: the posture optimum along the path ([PC04] 4) at that time.
 [[nodiscard]] double path_to_come(const heading_control::PathArc& arc, const Executor& executor,
-                                  double half_step, const Pose& X_BG = {}) noexcept;
+                                  double half_step, const Pose* X_BG = nullptr) noexcept;
 
 /// The step of one leg (step 1): to its AEP ([PC04] eq. 3) plus the advance still to come, at the
 /// height of its last footprint.
@@ -34,7 +34,7 @@ namespace hexagait::footstep_gen {
 [[nodiscard]] FootstepCommand footstep(const RobotModel& model, const heading_control::PathArc& arc,
                                        const RobotState& state, LegId leg, double half_step,
                                        double to_come, const StepParams& params,
-                                       const Pose& X_BG = {}) noexcept;
+                                       const Pose* X_BG = nullptr) noexcept;
 
 /// The motion of the base: along the path as the legs allow ([PC04] 4), parallel to the ground
 /// under the feet, and back to the commanded curve; limited by the workspaces of the support legs

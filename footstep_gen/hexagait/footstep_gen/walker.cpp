@@ -174,8 +174,8 @@ void Walker::steer(const heading_control::Heading& heading) noexcept {
 }
 
 void Walker::decide() noexcept {
-  X_BG_ = crawls() ? pose(record_.deviation) : Pose{};
-  record_.gait_input = gait_input(*model_, record_.arc, executor_, params_.step, X_BG_);
+  if (crawls()) X_BG_ = pose(record_.deviation);
+  record_.gait_input = gait_input(*model_, record_.arc, executor_, params_.step, path_pose());
   record_.gate = crawls() ? gate() : LiftGateDecision{};
   const gait_state::StepConditions conditions{
       .time = time(),
@@ -230,13 +230,14 @@ LiftGateDecision Walker::gate() noexcept {
 void Walker::command() noexcept {
   const bool walks = record_.heading.moving();
   const double half_step = walks ? 0.5 * params_.step.stroke : 0.0;
-  record_.path_to_come = path_to_come(record_.arc, executor_, half_step, X_BG_);
+  record_.path_to_come = path_to_come(record_.arc, executor_, half_step, path_pose());
 
   for (LegId i = 0; i < model_->num_legs(); ++i) {
     const bool in_air = executor_.legs()[i].phase != LegPhase::support;
     if (!in_air && !record_.lifts.contains(i)) continue;
-    record_.footsteps[i] = footstep(*model_, record_.arc, record_.state, i, half_step,
-                                    share_to_come(i) * record_.path_to_come, params_.step, X_BG_);
+    record_.footsteps[i] =
+        footstep(*model_, record_.arc, record_.state, i, half_step,
+                 share_to_come(i) * record_.path_to_come, params_.step, path_pose());
     executor_.command(record_.footsteps[i], record_.state);
   }
   // While it crawls its footholds keep to the path; the body follows them.

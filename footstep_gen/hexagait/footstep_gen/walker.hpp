@@ -83,6 +83,7 @@ class Walker {
     return static_cast<double>(ticks_) * params_.control_dt;
   }
   [[nodiscard]] bool crawls() const noexcept { return must_crawl(model_->num_legs()); }
+  [[nodiscard]] const Pose* path_pose() const noexcept { return crawls() ? &X_BG_ : nullptr; }
   [[nodiscard]] double share_to_come(LegId leg) const noexcept;
 
   const RobotModel* model_;

@@ -53,17 +53,8 @@ Vector3 advance(const PathArc& arc, const Vector3& p_B, double s) noexcept {
   return {p.x(), p.y(), p_B.z()};
 }
 
-Vector2 direction_at(const PathArc& arc, const Vector3& p_B) noexcept {
-  return arc.per_metre.v + arc.per_metre.w * perpendicular(p_B.head<2>());
-}
-
 Vector3 aep(const PathArc& arc, LegId leg, double half_step) noexcept {
   return advance(arc, arc.p_BC[leg], arc.heading.moving() ? half_step : 0.0);
-}
-
-double lag(const PathArc& arc, LegId leg, const Vector3& p_BF) noexcept {
-  const Vector2 offset = (arc.p_BC[leg] - p_BF).head<2>();
-  return arc.lag_scale[leg] * arc.direction[leg].dot(offset);
 }
 
 LegArray<double> lags(const PathArc& arc, const LegArray<Vector3>& p_BF) noexcept {

@@ -50,7 +50,9 @@ struct PathArc {
 [[nodiscard]] Vector3 advance(const PathArc& arc, const Vector3& p_B, double s) noexcept;
 
 /// Velocity of the body's point p_B per metre of path, in the body frame: v + w z × p [m/m].
-[[nodiscard]] Vector2 direction_at(const PathArc& arc, const Vector3& p_B) noexcept;
+[[nodiscard]] inline Vector2 direction_at(const PathArc& arc, const Vector3& p_B) noexcept {
+  return arc.per_metre.v + arc.per_metre.w * perpendicular(p_B.head<2>());
+}
 
 /// The intended anterior extreme position of a leg: its workspace centre, half a step ahead,
 ///
@@ -80,7 +82,10 @@ struct PathArc {
 ///
 /// @param p_BF  foot in the body frame [m]; z is not read
 /// @returns [m of path]; 0 where cᵢ = o
-[[nodiscard]] double lag(const PathArc& arc, LegId leg, const Vector3& p_BF) noexcept;
+[[nodiscard]] inline double lag(const PathArc& arc, LegId leg, const Vector3& p_BF) noexcept {
+  const Vector2 offset = (arc.p_BC[leg] - p_BF).head<2>();
+  return arc.lag_scale[leg] * arc.direction[leg].dot(offset);
+}
 
 /// lag() of every leg.
 [[nodiscard]] LegArray<double> lags(const PathArc& arc, const LegArray<Vector3>& p_BF) noexcept;

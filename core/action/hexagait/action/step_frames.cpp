@@ -28,7 +28,8 @@ Placement StepFrames::place(FrameId frame, const Frames& frames,
   if (adapted_[frame].adapted) {
     X_TA = adapted_[frame].X_TA;
     frame = adapted_[frame].target;
-  }
+  } else if (frame == kOdom)
+    return {false, {}};  // as nearly all are
   if (frame == kBase) return {true, X_TA};
   if (frame >= kFirstRegistered && frames.registered[frame].parent == kBase)
     return {true, frames.registered[frame].X_PA * X_TA};

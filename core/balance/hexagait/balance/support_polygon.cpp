@@ -40,8 +40,9 @@ void extend(SupportPolygon& hull, int first, const Vector2& next) {
 // Drops one vertex that lies on the segment between its neighbours; false if there is none.
 bool drop_superfluous(SupportPolygon& hull) {
   for (int i = 0; hull.size > 1 && i < hull.size; ++i) {
-    const auto at = [&](int j) { return hull.vertices[static_cast<std::size_t>(j % hull.size)]; };
-    const double distance2 = squared_distance_to_segment(at(i), at(i + hull.size - 1), at(i + 1));
+    const auto at = [&](int j) { return hull.vertices[static_cast<std::size_t>(j)]; };
+    const double distance2 = squared_distance_to_segment(at(i), at(i > 0 ? i - 1 : hull.size - 1),
+                                                         at(i + 1 < hull.size ? i + 1 : 0));
     if (distance2 > kSamePlace * kSamePlace) continue;
     auto* const begin = hull.vertices.data();
     std::move(begin + i + 1, begin + hull.size, begin + i);
@@ -55,7 +56,8 @@ bool drop_superfluous(SupportPolygon& hull) {
 
 PolygonEdge edge_of(const SupportPolygon& polygon, int k) noexcept {
   const Vector2& from = polygon.vertices[static_cast<std::size_t>(k)];
-  const Vector2& to = polygon.vertices[static_cast<std::size_t>((k + 1) % polygon.size)];
+  const int next = k + 1 < polygon.size ? k + 1 : 0;
+  const Vector2& to = polygon.vertices[static_cast<std::size_t>(next)];
   return {from, perpendicular(to - from).normalized()};
 }
 

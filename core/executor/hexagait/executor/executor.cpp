@@ -311,12 +311,6 @@ void Executor::hold() noexcept {
   for (LegJoints& change : last_change_) change.setZero();  // no foot rolls
 }
 
-LegSet Executor::support() const noexcept {
-  LegSet support;
-  for (LegId i = 0; i < legs_.size(); ++i) support.set(i, legs_[i].supports(params_.swing));
-  return support;
-}
-
 LegSet Executor::unsure() const noexcept {
   LegSet unsure;
   for (LegId i = 0; i < legs_.size(); ++i)

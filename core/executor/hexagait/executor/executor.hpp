@@ -120,7 +120,11 @@ class Executor {
   [[nodiscard]] const ExecutorParams& params() const { return params_; }
 
   /// Legs that count as standing.
-  [[nodiscard]] LegSet support() const noexcept;
+  [[nodiscard]] LegSet support() const noexcept {
+    LegSet support;
+    for (LegId i = 0; i < legs_.size(); ++i) support.set(i, legs_[i].supports(params_.swing));
+    return support;
+  }
   /// Those of them that feel nothing at this moment, or whose foothold gives way.
   [[nodiscard]] LegSet unsure() const noexcept;
   /// Legs whose foothold gives way: the foot slides, or rolls off an edge.
@@ -145,6 +149,8 @@ class Executor {
   void even_out_loads(const RobotState& state, double dt) noexcept;
   void stand_where_it_is(LegId leg, const RobotState& state) noexcept;
   void set_joints(const RobotState& state, double dt) noexcept;
+  [[nodiscard]] bool pair_goes_on(LegId first, double dt) noexcept;
+  void set_joints(LegId leg, const RobotState& state, double dt) noexcept;
   void set_efforts(const RobotState& state, double dt) noexcept;
   void add_planned_efforts(LegId leg, LegJoints& effort, const RobotState& state,
                            double dt) noexcept;
@@ -164,6 +170,7 @@ class Executor {
   LagWatch lag_;
   FootholdWatch footholds_;
   bool sensed_ = false;    ///< in this tick
+  LegSet adds_effort_;     ///< legs whose planned_effort_ is not zero
   LegArray<Vector3> off_;  ///< from the last set points to the measured feet [m]
   BaseLane base_;
   DiscreteDisplacement displacement_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <hexagait/executor/executor.hpp>
+#include <hexagait/model/leg_pair.hpp>
 
 /// The executor's last two stages, joint positions and efforts, and the discrete displacements, which
 /// are lines of joint positions.
@@ -90,47 +91,91 @@ LegSolution Executor::wanted_joints(LegId leg, const RobotState& state) noexcept
 }
 
 void Executor::set_joints(const RobotState& state, double dt) noexcept {
-  for (LegId i = 0; i < legs_.size(); ++i) {
-    const LegModel& leg = model_->legs[i];
-    if (!legs_[i].on_ground()) displacement_.legs.erase(i);
-    const bool stands = displacement_.ticks > 0 && legs_[i].on_ground();
-    LegSolution wanted = stands ? on_its_line(i, state, dt) : wanted_joints(i, state);
-    reachable_[i] = wanted.reachable;
-    const bool planned = legs_[i].phase == LegPhase::follow || led_by_joints(i);
-    if (!wanted.reachable && !legs_[i].on_ground() && !planned)
-      take_back(legs_[i], foot_position(leg, wanted.trig), state.X_OB, dt);
-
-    // Limit the change to what the servos can do in one tick.
-    LegJoints change = wanted.q - targets_.q[i];
-    bool limited = false;  // or not a number
-    for (int k = 0; k < leg.num_joints(); ++k)
-      limited = limited || !(std::abs(change[k]) <= leg.limits[k].velocity * dt);
-    if (limited && change.hasNaN()) {
-      failed_ = true;
-      continue;
-    }
-    if (limited) {
-      for (int k = 0; k < leg.num_joints(); ++k) {
-        const double most = leg.limits[k].velocity * dt;
-        change[k] = std::clamp(change[k], -most, most);
-      }
-      wanted.q = targets_.q[i] + change;
-      wanted.trig = leg_trig(leg, wanted.q);
-    }
-    last_change_[i] = change;
-    targets_.q[i] = wanted.q;
-    targets_.qd[i] = change / dt;
-    trig_[i] = wanted.trig;
-    if (led_by_joints(i)) {
-      const Vector3 p_BF = foot_position(leg, trig_[i]);
-      legs_[i].v_O = state.X_OB.R * (p_BF - legs_[i].p_BF) / dt;
-      legs_[i].p_BF = p_BF;
-    }
-    // A foot that slides to the side is where it is.
-    if (leg.has_two_joints() && legs_[i].on_ground()) legs_[i].p_BF = foot_position(leg, trig_[i]);
-    targets_.mode[i] = legs_[i].phase == LegPhase::follow ? plans_[i].mode : ControlMode::position;
+  LegId i = 0;
+  for (; i + 1 < legs_.size(); i += 2) {
+    if (pair_goes_on(i, dt)) continue;
+    set_joints(i, state, dt);
+    set_joints(i + 1, state, dt);
   }
+  for (; i < legs_.size(); ++i) set_joints(i, state, dt);
   displacement_.ticks = std::max(0, displacement_.ticks - 1);
+}
+
+// Both legs at once, where they just go on: to where they can reach, at a speed that their joints
+// allow. Nothing has changed where they do not.
+bool Executor::pair_goes_on(LegId first, double dt) noexcept {
+  if (displacement_.ticks > 0 || params_.base.displacement_period > 0.0) return false;
+  const LegId second = first + 1;
+  const LegModel &a = model_->legs[first], &b = model_->legs[second];
+  if (a.kind != LegKind::yaw_pitch_pitch || b.kind != LegKind::yaw_pitch_pitch) return false;
+  if (led_by_joints(first) || led_by_joints(second)) return false;
+  const LegPair pair(a, b);
+  LegPair::Angles to;
+  const LegPair::Angles near{three_lanes(targets_.q[first], targets_.q[second]),
+                             three_lanes(trig_[first].c, trig_[second].c),
+                             three_lanes(trig_[first].s, trig_[second].s)};
+  if (!pair.go_on(lanes(legs_[first].p_BF, legs_[second].p_BF), near, to)) return false;
+
+  const LaneVector change{to.q.x - near.q.x, to.q.y - near.q.y, to.q.z - near.q.z};
+  const auto slow = [&](int k, Lanes turn) {
+    return magnitude(turn) <=
+           pair.of([k](const LegModel& leg) { return leg.limits[k].velocity; }) * dt;
+  };
+  if (!all(slow(0, change.x) & slow(1, change.y) & slow(2, change.z))) return false;
+  const LaneVector speed{change.x / dt, change.y / dt, change.z / dt};
+  const auto take = [&](LegId i, int lane) {
+    reachable_[i] = true;
+    put(change, lane, last_change_[i]);
+    put(to.q, lane, targets_.q[i]);
+    put(speed, lane, targets_.qd[i]);
+    put(to.c, lane, trig_[i].c);
+    put(to.s, lane, trig_[i].s);
+    targets_.mode[i] = legs_[i].phase == LegPhase::follow ? plans_[i].mode : ControlMode::position;
+  };
+  take(first, 0);
+  take(second, 1);
+  return true;
+}
+
+void Executor::set_joints(LegId i, const RobotState& state, double dt) noexcept {
+  const LegModel& leg = model_->legs[i];
+  if (!legs_[i].on_ground()) displacement_.legs.erase(i);
+  const bool stands = displacement_.ticks > 0 && legs_[i].on_ground();
+  LegSolution wanted = stands ? on_its_line(i, state, dt) : wanted_joints(i, state);
+  reachable_[i] = wanted.reachable;
+  const bool planned = legs_[i].phase == LegPhase::follow || led_by_joints(i);
+  if (!wanted.reachable && !legs_[i].on_ground() && !planned)
+    take_back(legs_[i], foot_position(leg, wanted.trig), state.X_OB, dt);
+
+  // Limit the change to what the servos can do in one tick.
+  LegJoints change = wanted.q - targets_.q[i];
+  bool limited = false;  // or not a number
+  for (int k = 0; k < leg.num_joints(); ++k)
+    limited = limited || !(std::abs(change[k]) <= leg.limits[k].velocity * dt);
+  if (limited && change.hasNaN()) {
+    failed_ = true;
+    return;
+  }
+  if (limited) {
+    for (int k = 0; k < leg.num_joints(); ++k) {
+      const double most = leg.limits[k].velocity * dt;
+      change[k] = std::clamp(change[k], -most, most);
+    }
+    wanted.q = targets_.q[i] + change;
+    wanted.trig = leg_trig(leg, wanted.q);
+  }
+  last_change_[i] = change;
+  targets_.q[i] = wanted.q;
+  targets_.qd[i] = change / dt;
+  trig_[i] = wanted.trig;
+  if (led_by_joints(i)) {
+    const Vector3 p_BF = foot_position(leg, trig_[i]);
+    legs_[i].v_O = state.X_OB.R * (p_BF - legs_[i].p_BF) / dt;
+    legs_[i].p_BF = p_BF;
+  }
+  // A foot that slides to the side is where it is.
+  if (leg.has_two_joints() && legs_[i].on_ground()) legs_[i].p_BF = foot_position(leg, trig_[i]);
+  targets_.mode[i] = legs_[i].phase == LegPhase::follow ? plans_[i].mode : ControlMode::position;
 }
 
 void Executor::set_efforts(const RobotState& state, double dt) noexcept {
@@ -163,7 +208,7 @@ void Executor::set_efforts(const RobotState& state, double dt) noexcept {
       if (targets_.mode[i] == ControlMode::effort) efforts.effort[i].setZero();
       if (legs_[i].on_ground() && solved) targets_.mode[i] = ControlMode::effort;
     }
-    const bool planned = legs_[i].phase == LegPhase::follow || !is_zero(planned_effort_[i]);
+    const bool planned = legs_[i].phase == LegPhase::follow || adds_effort_.contains(i);
     if (planned) add_planned_efforts(i, efforts.effort[i], state, dt);
     set_effort(i, efforts.effort[i]);
   }
@@ -181,6 +226,7 @@ void Executor::add_planned_efforts(LegId leg, LegJoints& effort, const RobotStat
     const double change = std::clamp(wish[k], -limit, limit) - planned[k];
     planned[k] += std::clamp(change, -most, most);
   }
+  adds_effort_.set(leg, !is_zero(planned));
   effort += planned;
 }
 
@@ -192,8 +238,10 @@ void Executor::set_effort(LegId leg, const LegJoints& effort) noexcept {
   }
   const JointArray<JointLimits>& limits = model_->legs[leg].limits;
   LegJoints& target = targets_.effort[leg];
-  for (int k = 0; k < limits.size(); ++k)
-    target[k] = std::clamp(effort[k], -limits[k].effort, limits[k].effort);
+  for (int k = 0; k < limits.size(); ++k) {
+    const double most = limits[k].effort;
+    target[k] = std::min(std::max(effort[k], -most), most);
+  }
 }
 
 LegJoints Executor::planned_effort(LegId leg, const RobotState& state) const noexcept {

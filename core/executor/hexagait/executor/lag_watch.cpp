@@ -32,12 +32,15 @@ LagWatch::LagWatch(int legs, double moving)
 
 void LagWatch::watch(LegId leg, const Vector3& p, const Vector3& set_point, bool swings,
                      double dt) noexcept {
-  const Vector3 v = (set_point - before_[leg]) / dt;
+  const Vector3 way = set_point - before_[leg];
   go_on(leg, set_point, dt);
-  error_[leg] = swings ? distance_to_segment(p, lagging_[leg], set_point) : 0.0;
+  error_[leg] = 0.0;
+  if (!swings) return;
+  error_[leg] = distance_to_segment(p, lagging_[leg], set_point);
 
+  const Vector3 v = way / dt;
   const double v2 = v.squaredNorm();
-  if (!swings || v2 < moving_ * moving_) return;
+  if (v2 < moving_ * moving_) return;
   const double lag = std::clamp((set_point - p).dot(v) / v2, 0.0, kLongest);
   lag_ += decay_share(dt / kMemory) * (lag - lag_);
 }

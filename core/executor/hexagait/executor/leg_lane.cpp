@@ -29,7 +29,10 @@ void begin_step(LegLane& lane, LegPhase phase, const Pose& X_OB) {
   lane.p_OL = X_OB * lane.p_BF;
 }
 
-void ramp(double& value, double target, double step) {
+// A tick of a ramp of that time.
+void ramp(double& value, double target, double dt, double time) {
+  if (value == target) return;
+  const double step = tick_share(dt, time);
   value += std::clamp(target - value, -step, step);
 }
 
@@ -103,7 +106,7 @@ void land(LegLane& lane, double dt, const SwingParams& params) {
   lane.a_O.setZero();
   lane.without_contact = 0.0;
   lane.confirmed = lane.believed = false;
-  ramp(lane.load, 1.0, tick_share(dt, params.load_time));
+  ramp(lane.load, 1.0, dt, params.load_time);
 }
 
 // Moves back and up. The next attempt is higher and, after two, shorter; after the last one the foot
@@ -149,7 +152,7 @@ void support(LegLane& lane, double dt, const Pose& X_OB, const SwingParams& para
   if (!lane.believed && lost)
     return enter(lane, params.reflexes ? LegPhase::descend : LegPhase::search);
 
-  ramp(lane.load, lost ? 0.0 : 1.0, tick_share(dt, params.load_time));
+  ramp(lane.load, lost ? 0.0 : 1.0, dt, params.load_time);
   if (lane.without_contact > (lane.confirmed ? params.regain_time : params.lost_time)) {
     begin_step(lane, params.reflexes ? LegPhase::descend : LegPhase::search, X_OB);
     lane.cleared = lane.lost = true;
@@ -159,7 +162,7 @@ void support(LegLane& lane, double dt, const Pose& X_OB, const SwingParams& para
 }
 
 void unload(LegLane& lane, double dt, const Pose& X_OB, const SwingParams& params) {
-  ramp(lane.load, 0.0, tick_share(dt, params.unload_time));
+  ramp(lane.load, 0.0, dt, params.unload_time);
   if (lane.load > 0.0) return;
   if (lane.after_unload != LegPhase::lift) return enter(lane, lane.after_unload);
   lane.p_OL = X_OB * lane.p_BF;
@@ -315,7 +318,7 @@ void command(LegLane& lane, const LegPlan& plan, const Pose& X_OB) noexcept {
 void follow(LegLane& lane, LegPlan& plan, const LegSensed& sensed, const Pose& X_OB, double dt,
             double rate, const SwingParams& params) noexcept {
   lane.lifted = false;
-  ramp(lane.load, 0.0, tick_share(dt, params.unload_time));
+  ramp(lane.load, 0.0, dt, params.unload_time);
   lane.cleared = lane.cleared || !sensed.contact;
   lane.time = std::min(lane.time + rate * dt, plan.duration);
   if (plan.kind == LegPlan::Kind::foot) follow_curve(lane, plan, X_OB, dt, rate, params);
@@ -373,7 +376,7 @@ void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt
       lane.a_O.setZero();
       break;
   }
-  if (lane.phase != LegPhase::support) ramp(lane.load, 0.0, tick_share(dt, params.unload_time));
+  if (lane.phase != LegPhase::support) ramp(lane.load, 0.0, dt, params.unload_time);
   lane.p_BF += X_OB.R.transpose() * way_O;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <hexagait/executor/state_estimator.hpp>
+#include <hexagait/model/leg_pair.hpp>
 #include <hexagait/plant/plant_watch.hpp>
 #include <hexagait/text/invalid_input.hpp>
 
@@ -49,11 +50,10 @@ void StateEstimator::update(RobotState& state, const Measurement& measurement,
   for (LegId i = 0; i < model_->num_legs(); ++i) {
     state.q[i] = sensors_.joint_feedback ? own_joints(model_->legs[i], measurement.q[i])
                                          : executor.targets().q[i];
-    state.trig[i] = leg_trig(model_->legs[i], state.q[i]);
-    state.p_BF[i] = foot_position(model_->legs[i], state.trig[i]);
     state.contact[i] = sensors_.foot_contacts ? measurement.contact[i]
                                               : planned_contact(executor.legs()[i], state.X_OB);
   }
+  forward_kinematics(*model_, state.q, state.trig, state.p_BF);
   odometry_.update(state, executor.footing(), dt);
 }
 

@@ -36,7 +36,9 @@ class LegSet {
   constexpr bool contains(LegId leg) const { return ((bits_ >> leg) & 1U) != 0; }
   constexpr void insert(LegId leg) { bits_ |= 1U << leg; }
   constexpr void erase(LegId leg) { bits_ &= ~(1U << leg); }
-  constexpr void set(LegId leg, bool member) { member ? insert(leg) : erase(leg); }
+  constexpr void set(LegId leg, bool member) {
+    bits_ = (bits_ & ~(1U << leg)) | (std::uint32_t{member} << leg);
+  }
   constexpr int size() const { return std::popcount(bits_); }
   constexpr bool empty() const { return bits_ == 0; }
   constexpr std::uint32_t bits() const { return bits_; }

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <hexagait/math/lane_sincos.hpp>
 #include <hexagait/math/trigonometry.hpp>
 #include <limits>
 #include <numbers>
@@ -24,17 +25,18 @@ constexpr double kRounder = 0x1.8p+52;
 
 // Both polynomials at once, a lane each, with z = r²: (sin r − r) / r³ = −1/3! + z/5! − …, to r¹⁷, and
 // (cos r − 1 + z/2) / z² = 1/4! − z/6! + …, to r¹⁸. For |r| ≤ π/4 the rests are below 1e-19.
-using TwoLanes = double __attribute__((vector_size(16)));
-TwoLanes sin_cos_tails(double z) {
-  constexpr TwoLanes k3_4 = {-1.0 / 6, 1.0 / 24};
-  constexpr TwoLanes k5_6 = {1.0 / 120, -1.0 / 720};
-  constexpr TwoLanes k7_8 = {-1.0 / 5040, 1.0 / 40320};
-  constexpr TwoLanes k9_10 = {1.0 / 362880, -1.0 / 3628800};
-  constexpr TwoLanes k11_12 = {-1.0 / 39916800, 1.0 / 479001600};
-  constexpr TwoLanes k13_14 = {1.0 / 6227020800, -1.0 / 87178291200};
-  constexpr TwoLanes k15_16 = {-1.0 / 1307674368000, 1.0 / 20922789888000};
-  constexpr TwoLanes k17_18 = {1.0 / 355687428096000, -1.0 / 6402373705728000};
-  const TwoLanes zz = {z, z};
+constexpr double kSine[] = {
+    -1.0 / 6,        1.0 / 120,        -1.0 / 5040,          1.0 / 362880,
+    -1.0 / 39916800, 1.0 / 6227020800, -1.0 / 1307674368000, 1.0 / 355687428096000};
+constexpr double kCosine[] = {
+    1.0 / 24,        -1.0 / 720,         1.0 / 40320,          -1.0 / 3628800,
+    1.0 / 479001600, -1.0 / 87178291200, 1.0 / 20922789888000, -1.0 / 6402373705728000};
+Lanes sin_cos_tails(double z) {
+  constexpr Lanes k3_4 = {kSine[0], kCosine[0]}, k5_6 = {kSine[1], kCosine[1]};
+  constexpr Lanes k7_8 = {kSine[2], kCosine[2]}, k9_10 = {kSine[3], kCosine[3]};
+  constexpr Lanes k11_12 = {kSine[4], kCosine[4]}, k13_14 = {kSine[5], kCosine[5]};
+  constexpr Lanes k15_16 = {kSine[6], kCosine[6]}, k17_18 = {kSine[7], kCosine[7]};
+  const Lanes zz = both(z);
   return k3_4 +
          zz * (k5_6 +
                zz * (k7_8 +
@@ -88,6 +90,19 @@ double atan2_of_extremes(double y, double x) {
 
 }  // namespace
 
+constinit const SinCosTerms kSinCosTerms = {
+    .few_turns = both(kFewTurns),
+    .two_over_pi = both(kTwoOverPi),
+    .rounder = both(kRounder),
+    .half_pi_head = both(kHalfPiHead),
+    .half_pi_tail = both(kHalfPiTail),
+    .half = both(0.5),
+    .one = both(1.0),
+    .sine = {both(kSine[0]), both(kSine[1]), both(kSine[2]), both(kSine[3]), both(kSine[4]),
+             both(kSine[5]), both(kSine[6]), both(kSine[7])},
+    .cosine = {both(kCosine[0]), both(kCosine[1]), both(kCosine[2]), both(kCosine[3]),
+               both(kCosine[4]), both(kCosine[5]), both(kCosine[6]), both(kCosine[7])}};
+
 SinCos sincos(double x) noexcept {
   if (!(std::abs(x) < kFewTurns)) x = std::remainder(x, 2.0 * std::numbers::pi);
 
@@ -95,7 +110,7 @@ SinCos sincos(double x) noexcept {
   const double shifted = x * kTwoOverPi + kRounder, k = shifted - kRounder;
   const double r = (x - k * kHalfPiHead) - k * kHalfPiTail;
   const double z = r * r;
-  const TwoLanes tails = sin_cos_tails(z);
+  const Lanes tails = sin_cos_tails(z);
   const double s = r + r * (z * tails[0]), c = 1.0 - (0.5 * z - z * z * tails[1]);
 
   switch (std::bit_cast<std::uint64_t>(shifted) & 3U) {

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <hexagait/math/lane_sincos.hpp>
 #include <hexagait/math/trigonometry.hpp>
 #include <hexagait/sim/random.hpp>
 #include <limits>
@@ -45,6 +46,23 @@ TEST(PortableSincos, IsWithinOneUlpOfTheFirstOctantsAndCloseForAMillionRadians) 
       if (range > kPi / 4.0) continue;
       ASSERT_LE(ulps(value.s, s), 1.0) << x;
       ASSERT_LE(ulps(value.c, c), 1.0) << x;
+    }
+  }
+}
+
+// Each lane, whatever the other one holds.
+TEST(PortableSincos, OfTwoAnglesHasTheBitsOfEach) {
+  RandomSequence random{.seed = 7};
+  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+  for (int k = 0; k < kDraws; ++k) {
+    const double range = k % 3 == 0 ? 1e7 : k % 3 == 1 ? 10.0 : 1.0;
+    const double x[] = {k % 1000 == 0 ? kInf : random.uniform(-range, range),
+                        k % 1001 == 0 ? -0.0 : random.uniform(-8.0, 8.0)};
+    const portable::LaneSinCos pair = portable::sincos(Lanes{x[0], x[1]});
+    for (int lane = 0; lane < 2; ++lane) {
+      const portable::SinCos one = portable::sincos(x[lane]);
+      ASSERT_EQ(bits(pair.s[lane]), bits(one.s)) << x[lane];
+      ASSERT_EQ(bits(pair.c[lane]), bits(one.c)) << x[lane];
     }
   }
 }

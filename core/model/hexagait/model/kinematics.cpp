@@ -10,13 +10,6 @@ bool within_limits(const LegModel& leg, const LegJoints& q) noexcept {
   return true;
 }
 
-LegJoints own_joints(const LegModel& leg, const LegJoints& q) noexcept {
-  LegJoints own = LegJoints::Zero();
-  own.head<kMinLegJoints>() = q.head<kMinLegJoints>();
-  for (int i = kMinLegJoints; i < leg.num_joints(); ++i) own[i] = q[i];
-  return own;
-}
-
 Pose link_pose(const LegModel& leg, int link, const LegJoints& q) noexcept {
   assert(0 <= link && link < leg.num_joints());
   Pose X_BB0;  // displacement of the link from its pose with all joints at zero

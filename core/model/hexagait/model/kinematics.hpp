@@ -62,7 +62,12 @@ template <class F>
 [[nodiscard]] bool within_limits(const LegModel& leg, const LegJoints& q) noexcept;
 
 /// q with the entries beyond the leg's joints set to 0, whatever they were.
-[[nodiscard]] LegJoints own_joints(const LegModel& leg, const LegJoints& q) noexcept;
+[[nodiscard]] inline LegJoints own_joints(const LegModel& leg, const LegJoints& q) noexcept {
+  LegJoints own = LegJoints::Zero();
+  own.head<kMinLegJoints>() = q.head<kMinLegJoints>();
+  for (int i = kMinLegJoints; i < leg.num_joints(); ++i) own[i] = q[i];
+  return own;
+}
 
 /// Joint values that put the foot at p_BF, or close to it if it is out of reach. A leg of two joints
 /// puts it there fore and aft and in height only: (leg 6).

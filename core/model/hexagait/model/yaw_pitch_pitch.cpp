@@ -8,8 +8,8 @@ namespace hexagait {
 namespace {
 
 constexpr double kRounding = 1e-9;  // tolerated excess over the reach [m]
-constexpr double kOnAxis = 1e-12;   // feet closer to an axis count as on it [m]
-constexpr double kFarAway = 1e6;    // targets are clamped to this, so that squares stay finite [m]
+constexpr double kOnAxis = YawPitchPitchLeg::kOnAxis;
+constexpr double kFarAway = 1e6;  // targets are clamped to this, so that squares stay finite [m]
 
 double canonical(const LegModel& leg, int joint, double q) {
   return leg.joint_sign[joint] * q + leg.joint_offset[joint];
@@ -91,8 +91,6 @@ void set_trig(LegTrig& trig, double c, double s, const Bend& bend) {
 // Canonical angles, and one that stays 0: processors compute them in pairs.
 using Angles = Eigen::Array4d;
 
-constexpr double kLittle = 0.125;  // tangent of half the angle by which joints turn little: 14°
-
 /// 2 atan u. For |u| ≤ kLittle, the rest of the series is below 3e-18 u.
 Angles twice_atan(const Angles& u) {
   constexpr double k3 = -1.0 / 3, k5 = 1.0 / 5, k7 = -1.0 / 7, k9 = 1.0 / 9, k11 = -1.0 / 11;
@@ -110,7 +108,7 @@ bool turn_little(const LegModel& leg, const LegJoints& near, const LegTrig& near
   const Angles c0 = near_trig.c.head<4>(), s0 = near_trig.s.head<4>();
   const Angles c1 = solution.trig.c.head<4>(), s1 = solution.trig.s.head<4>();
   const Angles u = (s1 * c0 - c1 * s0) / (1.0 + (c1 * c0 + s1 * s0));
-  if (!(u.abs() <= kLittle).all()) return false;
+  if (!(u.abs() <= YawPitchPitchLeg::kLittle).all()) return false;
   const Angles turn = twice_atan(u);
   solution.q.head<3>() =
       near.head<3>() + leg.joint_sign.cwiseProduct(Vector3(turn[0], turn[1], turn[2] - turn[1]));
@@ -130,12 +128,6 @@ LegTrig YawPitchPitchLeg::leg_trig(const LegModel& leg, const LegJoints& q) noex
   return trig;
 }
 
-Vector3 YawPitchPitchLeg::foot_position(const LegModel& leg, const LegTrig& trig) noexcept {
-  const double r = leg.coxa + leg.femur * trig.c[1] + leg.tibia * trig.c[2];
-  const double h = -leg.femur * trig.s[1] - leg.tibia * trig.s[2];
-  return leg.X_BH * Vector3(r * trig.c[0], r * trig.s[0], h);
-}
-
 LegJacobian YawPitchPitchLeg::foot_jacobian(const LegModel& leg, const LegTrig& trig) noexcept {
   const double tibia_r = leg.tibia * trig.c[2], tibia_h = -leg.tibia * trig.s[2];
   const double pitch_r = leg.femur * trig.c[1] + tibia_r, h = -leg.femur * trig.s[1] + tibia_h;
@@ -151,35 +143,12 @@ LegJacobian YawPitchPitchLeg::foot_jacobian(const LegModel& leg, const LegTrig& 
   return J;
 }
 
-LegJoints YawPitchPitchLeg::foot_effort(const LegModel& leg, const LegTrig& trig,
-                                        const Vector3& force_B) noexcept {
-  // In the leg's plane, outwards and up; and across it.
-  const Vector3 f = leg.X_BH.R.transpose() * force_B;
-  const double outwards = trig.c[0] * f.x() + trig.s[0] * f.y(), up = f.z();
-  const double across = trig.c[0] * f.y() - trig.s[0] * f.x();
-  const double r = leg.coxa + leg.femur * trig.c[1] + leg.tibia * trig.c[2];
-  const double knee = -leg.tibia * (trig.s[2] * outwards + trig.c[2] * up);
-  const double hip = knee - leg.femur * (trig.s[1] * outwards + trig.c[1] * up);
-  LegJoints effort = LegJoints::Zero();
-  effort.head<3>() = leg.joint_sign.cwiseProduct(Vector3(r * across, hip, knee));
-  return effort;
-}
-
 Matrix3 YawPitchPitchLeg::tibia_rotation(const LegModel& leg, const LegTrig& trig) noexcept {
   Matrix3 R_HT;
   R_HT << trig.c[0] * trig.c[2], -trig.s[0], trig.c[0] * trig.s[2],  //
       trig.s[0] * trig.c[2], trig.c[0], trig.s[0] * trig.s[2],       //
       -trig.s[2], 0.0, trig.c[2];
   return leg.X_BH.R * R_HT;
-}
-
-Vector3 YawPitchPitchLeg::tibia_turn(const LegModel& leg, const LegTrig& trig,
-                                     const LegJoints& dq) noexcept {
-  const Vector3 dk = leg.joint_sign.cwiseProduct(dq.head<3>());
-  // The pitch axis at half the yaw: the joints move together.
-  const double half = 0.5 * dk[0];
-  const Vector3 pitch_axis_H(-trig.s[0] - half * trig.c[0], trig.c[0] - half * trig.s[0], 0.0);
-  return leg.X_BH.R * (dk[0] * Vector3::UnitZ() + (dk[1] + dk[2]) * pitch_axis_H);
 }
 
 LegSolution YawPitchPitchLeg::inverse_kinematics(const LegModel& leg, const Vector3& p_BF,

@@ -10,6 +10,10 @@ namespace hexagait {
 /// LegTrig: [0] canonical yaw k₁, [1] pitch k₂ of the femur, [2] pitch k₂ + k₃ of the tibia, both
 /// positive downwards.
 struct YawPitchPitchLeg {
+  static constexpr double kOnAxis = 1e-12;  ///< feet closer to an axis count as on it [m]
+  static constexpr double kLittle =
+      0.125;  ///< tan of half the angle by which joints turn little: 14°
+
   static LegTrig leg_trig(const LegModel& leg, const LegJoints& q) noexcept;
 
   ///     r = coxa + femur c₂ + tibia c₂₃,   h = −femur s₂ − tibia s₂₃,   p_HF = (r c₁, r s₁, h)
@@ -57,5 +61,36 @@ struct YawPitchPitchLeg {
 };
 
 static_assert(LegKinematics<YawPitchPitchLeg>);
+
+// Short ones, for each leg in each tick.
+
+inline Vector3 YawPitchPitchLeg::foot_position(const LegModel& leg, const LegTrig& trig) noexcept {
+  const double r = leg.coxa + leg.femur * trig.c[1] + leg.tibia * trig.c[2];
+  const double h = -leg.femur * trig.s[1] - leg.tibia * trig.s[2];
+  return leg.X_BH * Vector3(r * trig.c[0], r * trig.s[0], h);
+}
+
+inline LegJoints YawPitchPitchLeg::foot_effort(const LegModel& leg, const LegTrig& trig,
+                                               const Vector3& force_B) noexcept {
+  // In the leg's plane, outwards and up; and across it.
+  const Vector3 f = leg.X_BH.R.transpose() * force_B;
+  const double outwards = trig.c[0] * f.x() + trig.s[0] * f.y(), up = f.z();
+  const double across = trig.c[0] * f.y() - trig.s[0] * f.x();
+  const double r = leg.coxa + leg.femur * trig.c[1] + leg.tibia * trig.c[2];
+  const double knee = -leg.tibia * (trig.s[2] * outwards + trig.c[2] * up);
+  const double hip = knee - leg.femur * (trig.s[1] * outwards + trig.c[1] * up);
+  LegJoints effort = LegJoints::Zero();
+  effort.head<3>() = leg.joint_sign.cwiseProduct(Vector3(r * across, hip, knee));
+  return effort;
+}
+
+inline Vector3 YawPitchPitchLeg::tibia_turn(const LegModel& leg, const LegTrig& trig,
+                                            const LegJoints& dq) noexcept {
+  const Vector3 dk = leg.joint_sign.cwiseProduct(dq.head<3>());
+  // The pitch axis at half the yaw: the joints move together.
+  const double half = 0.5 * dk[0];
+  const Vector3 pitch_axis_H(-trig.s[0] - half * trig.c[0], trig.c[0] - half * trig.s[0], 0.0);
+  return leg.X_BH.R * (dk[0] * Vector3::UnitZ() + (dk[1] + dk[2]) * pitch_axis_H);
+}
 
 }  // namespace hexagait

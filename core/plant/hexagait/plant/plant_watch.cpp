@@ -29,9 +29,12 @@ bool valid(const Measurement& measurement, const RobotModel& model) noexcept {
   const int n = model.num_legs();
   if (measurement.q.size() != n || measurement.contact.size() != n) return false;
   bool good = std::isfinite(measurement.time);
-  for (LegId i = 0; i < n; ++i)
-    for (int k = 0; k < model.legs[i].num_joints(); ++k)
-      good = good && std::abs(measurement.q[i][k]) <= kLargestJointAngle;
+  for (LegId i = 0; i < n; ++i) {
+    const LegJoints& q = measurement.q[i];
+    good &= (q.head<kMinLegJoints>().array().abs() <= kLargestJointAngle).all();
+    for (int k = kMinLegJoints; k < model.legs[i].num_joints(); ++k)
+      good &= std::abs(q[k]) <= kLargestJointAngle;
+  }
   return good;
 }
 

@@ -144,6 +144,17 @@ void plan_common(LegPlan& plan, const action::LegMotion& motion, const StepStart
   plan.in_body = false;
 }
 
+// Plans a motion at rates, of at least that duration.
+void plan_rated(LegPlan& plan, const action::LegCommand& command, double duration,
+                const StepStart& start, const PlannerParams& params) {
+  if (const auto* step = std::get_if<action::Footstep>(&command.motion))
+    FootPlanner(plan, step->target.frame, *step, start, params)(*step, duration);
+  else if (const auto* target = std::get_if<action::EndEffectorTarget>(&command.motion))
+    FootPlanner(plan, target->target.frame, *target, start, params)(*target, duration);
+  else if (const auto* joints = std::get_if<action::JointTarget>(&command.motion))
+    plan_joint_target(plan, *joints, start, params, duration);
+}
+
 }  // namespace
 
 void plan_leg(LegPlan& plan, const action::LegCommand& command, const StepStart& start,
@@ -158,7 +169,7 @@ void plan_leg(LegPlan& plan, const action::LegCommand& command, const StepStart&
     plan.duration = mode->duration;
     plan.lands = mode->support_leg;
   } else {
-    stretch(plan, command, 0.0, start, params);
+    plan_rated(plan, command, 0.0, start, params);
   }
 }
 
@@ -170,12 +181,13 @@ bool rate_based(const action::LegCommand& command) noexcept {
 
 void stretch(LegPlan& plan, const action::LegCommand& command, double duration,
              const StepStart& start, const PlannerParams& params) noexcept {
-  if (const auto* step = std::get_if<action::Footstep>(&command.motion))
-    FootPlanner(plan, step->target.frame, *step, start, params)(*step, duration);
-  else if (const auto* target = std::get_if<action::EndEffectorTarget>(&command.motion))
-    FootPlanner(plan, target->target.frame, *target, start, params)(*target, duration);
-  else if (const auto* joints = std::get_if<action::JointTarget>(&command.motion))
-    plan_joint_target(plan, *joints, start, params, duration);
+  // A foot that takes longer already would be planned as it is; a target changes nothing but the time.
+  if (plan.kind == LegPlan::Kind::foot && duration <= plan.duration) return;
+  const bool to_target = std::holds_alternative<action::EndEffectorTarget>(command.motion);
+  if (!to_target || !(plan.foot.duration() > 0.0))
+    return plan_rated(plan, command, duration, start, params);
+  plan.foot.plan_target(plan.foot.at(0.0), plan.foot.at(plan.foot.duration()), duration);
+  plan.duration = duration;
 }
 
 Vector3 end_in_odom(const LegPlan& plan, LegId leg, const StepStart& start) noexcept {

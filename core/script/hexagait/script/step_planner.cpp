@@ -57,10 +57,10 @@ double mean_height(const StanceProblem& problem) {
   return problem.reach.empty() ? 0.0 : sum / problem.reach.size();
 }
 
-// Have the problems the same answer, wherever the base is?
+// Have the problems, of the same feet, the same answer, wherever the base is?
 bool is_same(const StanceProblem& a, const StanceProblem& b) {
   return a.reach == b.reach && a.support == b.support && a.height == b.height &&
-         a.margin == b.margin && std::ranges::equal(a.p_OF, b.p_OF);
+         a.margin == b.margin;
 }
 
 // Duration of a BaseTarget or BaseAuto from one pose to another, by its rates [s].
@@ -253,32 +253,35 @@ StepPlanner::BaseGoalPose StepPlanner::base_goal(const action::Step& step, const
   return goal;
 }
 
-StanceProblem StepPlanner::stance_problem(const action::BaseAuto& command, LegSet lifted,
-                                          LegSet ignored, const StepStart& start) const noexcept {
-  const int n = start.model.num_legs();
+// The targets of moving legs, the footholds of the others, and where the base is. Legs that hang in
+// the air move with the body.
+StanceProblem StepPlanner::feet_at_the_end(const StepStart& start) const noexcept {
   StanceProblem problem;
   problem.X_OB = start.state.X_OB;
-  problem.margin = command.support_margin;
-  problem.p_OF = LegArray<Vector3>(n);
-  problem.support = without(start.executor.support(), lifted);
+  problem.p_OF = LegArray<Vector3>(start.model.num_legs());
+  for (LegId i = 0; i < problem.p_OF.size(); ++i)
+    problem.p_OF[i] = plan_.moving.contains(i) ? end_in_odom(plan_.legs[i], i, start)
+                                               : start.state.X_OB * start.executor.legs()[i].p_BF;
+  return problem;
+}
 
-  // Feet to reach: the targets of moving legs, the footholds of the others. Legs that hang in the
-  // air move with the body.
-  for (LegId i = 0; i < n; ++i) {
-    const LegLane& lane = start.executor.legs()[i];
-    const bool moves = plan_.moving.contains(i);
-    problem.p_OF[i] = moves ? end_in_odom(plan_.legs[i], i, start) : start.state.X_OB * lane.p_BF;
-    problem.reach.set(i, !ignored.contains(i) && (moves || lane.on_ground()));
+// What the command asks of the base over these feet.
+void StepPlanner::set_stance(StanceProblem& problem, const action::BaseAuto& command, LegSet lifted,
+                             LegSet ignored, const StepStart& start) const noexcept {
+  problem.margin = command.support_margin;
+  problem.support = without(start.executor.support(), lifted);
+  for (LegId i = 0; i < problem.p_OF.size(); ++i) {
+    const bool has_place = plan_.moving.contains(i) || start.executor.legs()[i].on_ground();
+    problem.reach.set(i, has_place && !ignored.contains(i));
   }
   const double present = start.state.X_OB.p.z() - mean_height(problem);
   problem.height = command.height.value_or(height_.value_or(present));
-  return problem;
 }
 
 Pose StepPlanner::best_stance(const action::BaseAuto& command, const action::Step& step,
                               const action::Step* next, const StepStart& start) noexcept {
-  const StanceProblem problem =
-      stance_problem(command, lifted_from(step, next), ignored_by(step), start);
+  StanceProblem problem = feet_at_the_end(start);
+  set_stance(problem, command, lifted_from(step, next), ignored_by(step), start);
   plan_.stance = params_.stance(start.model, problem);
   const double height = plan_.stance.X_OB.p.z() - mean_height(problem);
   const bool too_high = problem.height > height + params_.script.height_lost;
@@ -334,11 +337,17 @@ BaseKnot StepPlanner::first_goal(const action::Step& step, const action::Step& b
     return {duration_of(*target, from.X_AB, X_OB, params_.script.base_target_time), X_OB};
   }
   const auto& automatic = *std::get_if<action::BaseAuto>(&step.base->motion);
-  StanceProblem problem = stance_problem(automatic, lifted_by(step), ignored_by(step), start);
+  StanceProblem problem = feet_at_the_end(start);
+  bool stays = false;
+  if (const auto* now = std::get_if<action::BaseAuto>(&before.base->motion)) {
+    StanceProblem same_feet = problem;
+    set_stance(same_feet, *now, lifted_from(before, &step), ignored_by(before), start);
+    set_stance(problem, automatic, lifted_by(step), ignored_by(step), start);
+    stays = is_same(problem, same_feet);
+  } else {
+    set_stance(problem, automatic, lifted_by(step), ignored_by(step), start);
+  }
   problem.X_OB = from.X_AB;
-  const auto* now = std::get_if<action::BaseAuto>(&before.base->motion);
-  const bool stays = now && is_same(problem, stance_problem(*now, lifted_from(before, &step),
-                                                            ignored_by(before), start));
   const Pose X_OB = stays ? from.X_AB : params_.stance(start.model, problem).X_OB;
   return {duration_of(automatic, from.X_AB, X_OB, params_.script.base_auto_time), X_OB};
 }

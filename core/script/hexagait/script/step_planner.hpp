@@ -60,8 +60,9 @@ class StepPlanner {
                                        const StepStart& start, const Pose& from) noexcept;
   [[nodiscard]] Pose best_stance(const action::BaseAuto& command, const action::Step& step,
                                  const action::Step* next, const StepStart& start) noexcept;
-  [[nodiscard]] StanceProblem stance_problem(const action::BaseAuto& command, LegSet lifted,
-                                             LegSet ignored, const StepStart& start) const noexcept;
+  [[nodiscard]] StanceProblem feet_at_the_end(const StepStart& start) const noexcept;
+  void set_stance(StanceProblem& problem, const action::BaseAuto& command, LegSet lifted,
+                  LegSet ignored, const StepStart& start) const noexcept;
   [[nodiscard]] Twist end_twist(const action::Step& step, const action::Step* next,
                                 const StepStart& start, const Pose& from) const noexcept;
   [[nodiscard]] BaseKnot first_goal(const action::Step& step, const action::Step& before,
