@@ -5,6 +5,8 @@
 #include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/footstep_gen/detail/stance_from_above.hpp>
 #include <hexagait/footstep_gen/generator.hpp>
+#include <hexagait/math/quintic.hpp>
+#include <hexagait/model/kinematics.hpp>
 #include <hexagait/posture/arc_optimum.hpp>
 #include <hexagait/posture/plane_fit.hpp>
 
@@ -101,10 +103,24 @@ Vector2 kept_inside(const Vector2& correction, const Stance& stance, const Matri
   return R_OB.topLeftCorner<2, 2>().transpose() * way;
 }
 
+// The farthest point on the way from one to the other that the leg reaches from where the body is now;
+// the first if it reaches none. The body advances under a step, but it may have to wait for the foot.
+Vector3 within_reach(const LegModel& leg, const Vector3& from_BF, const Vector3& to_BF) {
+  if (inverse_kinematics(leg, to_BF).reachable) return to_BF;
+  constexpr int kHalvings = 6;
+  double reached = 0.0;
+  double step = 0.5;
+  for (int k = 0; k < kHalvings; ++k, step *= 0.5)
+    if (inverse_kinematics(leg, from_BF + (reached + step) * (to_BF - from_BF)).reachable)
+      reached += step;
+  return from_BF + reached * (to_BF - from_BF);
+}
+
 }  // namespace
 
 double nominal_step_time(const SwingParams& swing, const StepParams& step) noexcept {
-  const double rise = 0.43 * swing.lift_time;
+  const double lift = std::max(swing.lift_time, kMinimumJerkPeak * step.height / swing.max_rise);
+  const double rise = 0.43 * lift;
   const double sideways = swing.transfer_time - swing.overlap_time;
   const double down =
       step.height / swing.descent_speed + swing.touchdown_margin / swing.touchdown_speed;
@@ -143,12 +159,13 @@ FootstepCommand footstep(const RobotModel& model, const PathArc& arc, const Robo
                          LegId leg, double half_step, double to_come, const StepParams& params,
                          const Pose& X_BG) noexcept {
   const double reach = 0.5 * model.legs[leg].workspace_radius;
-  const Vector3 aep_GF = aep(arc, leg, std::min(half_step, reach) + to_come);
+  const Vector3 aep_BF = X_BG * aep(arc, leg, std::min(half_step, reach) + to_come);
   const double start_z = state.print_O[leg].z();
   double highest_z = start_z;
   for (const Vector3& print : state.print_O) highest_z = std::max(highest_z, print.z());
 
-  FootstepCommand step{leg, state.X_OB * (X_BG * aep_GF), 0.0};
+  const Vector3 p_BF = within_reach(model.legs[leg], model.legs[leg].p_BC, aep_BF);
+  FootstepCommand step{leg, state.X_OB * p_BF, 0.0};
   step.p_OT.z() = start_z;
   step.profile_height =
       std::min(params.max_height, params.height + params.roughness_gain * (highest_z - start_z));
