@@ -36,7 +36,7 @@ const std::vector<Experiment>& experiments() {
        true},
       {"sensitivity", "what each imperfection of a robot costs, and at which size it breaks",
        sensitivity},
-      {"gallery", "every robot in robots/: flat ground and boxes, ideal and real plant", gallery},
+      {"gallery", "every robot in robots/: flat ground and boxes", gallery, true},
       {"random_robots", "robots that nobody has seen before: straight on, an arc and a spin",
        random_robots},
   };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Every robot that comes with hexagait: flat ground and boxes, with the ideal plant and the real one.
+// Every robot that comes with hexagait: flat ground and boxes.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -24,39 +24,34 @@ std::vector<RobotHeading> headings(const RobotScale& scale) {
 // What a robot is to walk. Over boxes each seed has one of the headings, in turn.
 void plan(GalleryRobot& robot, bool brief) {
   const std::vector<RobotHeading> all = headings(robot.scale);
-  const std::vector<const char*> plants =
-      brief ? std::vector{"ideal"} : std::vector{"ideal", "real"};
-  for (const char* plant : plants) {
-    for (const RobotHeading& heading : all)
-      if (!brief || heading.name == "spin")
-        robot.walks.push_back({robot.model.name, plant, heading.name});
-    for (std::uint64_t seed = 1; seed <= (brief ? 1 : 20); ++seed)
-      robot.walks.push_back(
-          {robot.model.name, plant, all[(seed - 1) % all.size()].name, robot.boxes, seed});
-  }
+  for (const RobotHeading& heading : all)
+    if (!brief || heading.name == "spin") robot.walks.push_back({robot.model.name, heading.name});
+  for (std::uint64_t seed = 1; seed <= (brief ? 1 : 20); ++seed)
+    robot.walks.push_back({robot.model.name, all[(seed - 1) % all.size()].name, robot.boxes, seed});
 }
 
-void walk_it(const GalleryRobot& robot, GalleryWalk& walk, bool brief,
-             const std::atomic<bool>* stop) {
+void walk_it(const ExperimentContext& context, const GalleryRobot& robot, GalleryWalk& walk) {
   const std::vector<RobotHeading> all = headings(robot.scale);
   RobotHeading heading = *std::ranges::find(all, walk.heading, &RobotHeading::name);
-  if (brief) heading.distance *= 0.1;
+  if (context.short_form) heading.distance *= 0.1;
   recording::Simulation simulation = walk_of(heading, robot.scale);
-  simulation.plant = recording::parse_plant(walk.plant);
+  simulation.plant = context.plant;
   simulation.seed = walk.seed;
   if (walk.height > 0.0)
     simulation.terrain = {.kind = sim3d::TerrainSpec::Kind::boxes,
                           .height = walk.height,
                           .cell = kCell * robot.scale.size};
-  walk.end = end_of(recording::simulate(robot.model, simulation, {}, stop), heading, robot.model);
+  walk.end =
+      end_of(recording::simulate(robot.model, simulation, {}, context.stop), heading, robot.model);
 }
 
 // Walks all, but those of an earlier run that was stopped.
 bool walk_all(const ExperimentContext& context, std::vector<GalleryRobot>& robots) {
   const recording::Provenance by = recording::provenance();
-  RowJournal journal(context.directory / "gallery.journal",
-                     fmt::format("gallery of hexagait {} ({}, {}){}", by.version, by.revision,
-                                 by.compiler, context.short_form ? ", short" : ""));
+  RowJournal journal(
+      context.directory / "gallery.journal",
+      fmt::format("gallery of hexagait {} ({}, {}), plant {}{}", by.version, by.revision,
+                  by.compiler, context.plant.name, context.short_form ? ", short" : ""));
   struct Left {
     const GalleryRobot* robot;
     GalleryWalk* walk;
@@ -74,9 +69,7 @@ bool walk_all(const ExperimentContext& context, std::vector<GalleryRobot>& robot
     }
   const bool done = on_workers(
       context, left.size(), context.jobs,
-      [&](std::size_t k) {
-        walk_it(*left[k].robot, *left[k].walk, context.short_form, context.stop);
-      },
+      [&](std::size_t k) { walk_it(context, *left[k].robot, *left[k].walk); },
       [&](std::size_t k) { journal.add(left[k].number, to_line(left[k].walk->end)); },
       static_cast<std::size_t>(number) - left.size());
   if (done) journal.remove();
@@ -110,16 +103,13 @@ Outcome gallery(const ExperimentContext& context, figures::StagedFiles& files) {
   if (!walk_all(context, robots)) return {};
   const figures::Csv rows = table(robots);
   files.write("gallery.csv", rows.text());
-  files.write("gallery.md", gallery_page(robots, context.short_form));
+  files.write("gallery.md", gallery_page(robots, context.plant.name, context.short_form));
   draw(files, context, robots);
 
-  std::vector<Verdict> verdicts = {judge_flat(robots)};
-  if (context.short_form)
-    verdicts = judged_in_full_only(verdicts, true);
-  else
-    for (const char* plant : {"ideal", "real"}) verdicts.push_back(judge_boxes(robots, plant));
-  return {
-      .verdicts = verdicts, .settings = {{"robots", std::to_string(robots.size())}}, .table = rows};
+  const std::vector<Verdict> verdicts = {judge_flat(robots), judge_boxes(robots)};
+  return {.verdicts = judged_in_full_only(verdicts, context.short_form),
+          .settings = {{"robots", std::to_string(robots.size())}},
+          .table = rows};
 }
 
 }  // namespace hexagait::experiments

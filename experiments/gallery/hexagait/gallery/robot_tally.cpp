@@ -48,7 +48,7 @@ std::string boxes_cell(const std::vector<GalleryWalk>& walks) {
 constexpr const char* kIntro = R"(# Every robot in robots/
 
 `hexagait experiment gallery --out results` makes this page, as `results/gallery/gallery.md`; no number is
-typed by hand. {}. No parameter of any robot is set: all follow from its model.
+typed by hand. {}, the plant is `{}`. No parameter of any robot is set: all follow from its model.
 {}
 ![All robots, from above and from the side](gallery.png)
 
@@ -66,8 +66,8 @@ constexpr const char* kFlat = R"(
 [m/s], of the outermost foot where it turns in place, and in brackets the mean distance from the path as a share of
 the way. Robots of four legs crawl: their bodies sway.
 
-| robot | plant | straight | arc | spin | crab 45° |
-|---|---|---|---|---|---|
+| robot | straight | arc | spin | crab 45° |
+|---|---|---|---|---|
 )";
 
 constexpr const char* kBoxes = R"(
@@ -76,16 +76,16 @@ constexpr const char* kBoxes = R"(
 20 seeds; straight on, arc, spin and crab take turns. The boxes are up to 15 % of a leg's reach high, of four legs 10 %,
 and 0.3 L wide. How many arrive, how the others ended, and the mean speed straight on [m/s].
 
-| robot | boxes up to [cm] | ideal plant | `real` plant |
-|---|---|---|---|
+| robot | boxes up to [cm] | arrive |
+|---|---|---|
 )";
 
 }  // namespace
 
-std::vector<GalleryWalk> GalleryRobot::walks_on(bool on_boxes, const std::string& plant) const {
+std::vector<GalleryWalk> GalleryRobot::walks_on(bool on_boxes) const {
   std::vector<GalleryWalk> chosen;
   for (const GalleryWalk& walk : walks)
-    if ((walk.height > 0.0) == on_boxes && walk.plant == plant) chosen.push_back(walk);
+    if ((walk.height > 0.0) == on_boxes) chosen.push_back(walk);
   return chosen;
 }
 
@@ -101,7 +101,7 @@ Verdict judge_flat(std::span<const GalleryRobot> robots) {
   double off = 0.0;
   std::string worst_robot;
   for (const GalleryRobot& robot : robots)
-    for (const GalleryWalk& walk : robot.walks_on(false, "ideal")) {
+    for (const GalleryWalk& walk : robot.walks_on(false)) {
       all.push_back(walk);
       if (robot.scale.legs == 4 || !(walk.end.off_path > off)) continue;
       off = walk.end.off_path;
@@ -118,57 +118,50 @@ Verdict judge_flat(std::span<const GalleryRobot> robots) {
                       at_most(2.0)}}};
 }
 
-Verdict judge_boxes(std::span<const GalleryRobot> robots, const std::string& plant) {
-  Verdict verdict{.claim = fmt::format("Each robot walks over boxes of 15 % of its legs' reach, of "
-                                       "four legs 10 %, with the {} plant",
-                                       plant)};
-  for (const GalleryRobot& robot : robots) {
-    const std::vector<GalleryWalk> walks = robot.walks_on(true, plant);
-    if (walks.empty()) continue;
+Verdict judge_boxes(std::span<const GalleryRobot> robots) {
+  Verdict verdict{.claim =
+                      "Each robot walks over boxes of 15 % of its legs' reach, of four legs 10 %"};
+  for (const GalleryRobot& robot : robots)
     verdict.checks.push_back({{fmt::format("walks of {} over {:.1f} cm that arrive",
                                            robot.model.name, 100.0 * robot.boxes),
-                               share_of(walks, walked)},
+                               share_of(robot.walks_on(true), walked)},
                               at_least(95.0)});
-  }
   return verdict;
 }
 
 figures::Csv table(std::span<const GalleryRobot> robots) {
   figures::Csv table(
-      "robot,legs,size_m,mass_kg,plant,boxes_m,seed,heading,outcome,seconds_s,way_m,speed_m_s,"
+      "robot,legs,size_m,mass_kg,boxes_m,seed,heading,outcome,seconds_s,way_m,speed_m_s,"
       "off_path,hindrance");
   for (const GalleryRobot& robot : robots)
     for (const GalleryWalk& w : robot.walks)
-      table.row(w.robot, robot.scale.legs, robot.scale.size, robot.model.mass, w.plant, w.height,
-                w.seed, w.heading, w.end.outcome, w.end.seconds, w.end.way,
-                w.end.way / w.end.seconds, w.end.off_path, w.end.hindrance);
+      table.row(w.robot, robot.scale.legs, robot.scale.size, robot.model.mass, w.height, w.seed,
+                w.heading, w.end.outcome, w.end.seconds, w.end.way, w.end.way / w.end.seconds,
+                w.end.off_path, w.end.hindrance);
   return table;
 }
 
-std::string gallery_page(std::span<const GalleryRobot> robots, bool short_form) {
+std::string gallery_page(std::span<const GalleryRobot> robots, const std::string& plant,
+                         bool short_form) {
   const recording::Provenance by = recording::provenance();
-  std::string text =
-      fmt::format(fmt::runtime(kIntro), fmt::format("hexagait {} ({})", by.version, by.revision),
-                  short_form ? "\n**A short form: not the figures of the full one.**\n" : "");
+  std::string text = fmt::format(
+      fmt::runtime(kIntro), fmt::format("hexagait {} ({})", by.version, by.revision), plant,
+      short_form ? "\n**A short form: not the figures of the full one.**\n" : "");
   for (const GalleryRobot& r : robots)
     text += fmt::format("| `{}` | {} × {} | {:.3g} | {:.2f} | {:.2f} | {:.2f} |\n", r.model.name,
                         r.scale.legs, r.model.legs[0].num_joints(), r.model.mass, r.scale.size,
                         r.leg_reach, r.scale.reach / r.scale.time);
   text += kFlat;
-  for (const GalleryRobot& r : robots)
-    for (const char* plant : {"ideal", "real"}) {
-      const std::vector<GalleryWalk> walks = r.walks_on(false, plant);
-      if (walks.empty()) continue;
-      text += fmt::format("| `{}` | {} |", r.model.name, plant);
-      for (const char* heading : {"straight", "arc", "spin", "crab 45°"})
-        text += fmt::format(" {} |", flat_cell(walks, heading));
-      text += "\n";
-    }
+  for (const GalleryRobot& r : robots) {
+    text += fmt::format("| `{}` |", r.model.name);
+    for (const char* heading : {"straight", "arc", "spin", "crab 45°"})
+      text += fmt::format(" {} |", flat_cell(r.walks_on(false), heading));
+    text += "\n";
+  }
   text += kBoxes;
   for (const GalleryRobot& r : robots)
-    text +=
-        fmt::format("| `{}` | {:.1f} | {} | {} |\n", r.model.name, 100.0 * r.boxes,
-                    boxes_cell(r.walks_on(true, "ideal")), boxes_cell(r.walks_on(true, "real")));
+    text += fmt::format("| `{}` | {:.1f} | {} |\n", r.model.name, 100.0 * r.boxes,
+                        boxes_cell(r.walks_on(true)));
   return text;
 }
 

@@ -17,9 +17,9 @@ std::vector<GalleryRobot> good_robots() {
         in_gallery(load_urdf(std::string(HEXAGAIT_SOURCE_DIR "/robots/") + name + ".urdf")));
     const WalkEnd end{.outcome = "walked", .seconds = 10.0, .way = 2.0, .off_path = 0.01};
     for (const char* heading : {"straight", "arc", "spin", "crab 45°"})
-      robots.back().walks.push_back({name, "ideal", heading, 0.0, 1, end});
+      robots.back().walks.push_back({name, heading, 0.0, 1, end});
     for (std::uint64_t seed = 1; seed <= 20; ++seed)
-      robots.back().walks.push_back({name, "ideal", "straight", 0.05, seed, end});
+      robots.back().walks.push_back({name, "straight", 0.05, seed, end});
   }
   return robots;
 }
@@ -49,18 +49,18 @@ TEST(JudgeFlat, HoldsSixLegsToTheirPath) {
 TEST(JudgeBoxes, AllowsOneOfTwenty) {
   std::vector<GalleryRobot> robots = good_robots();
   robots[0].walks[10].end.outcome = "stuck";
-  EXPECT_EQ(judge_boxes(robots, "ideal").word(), "holds");
+  EXPECT_EQ(judge_boxes(robots).word(), "holds");
   robots[0].walks[11].end.outcome = "fell";
-  EXPECT_EQ(judge_boxes(robots, "ideal").word(), "FAILS");
+  EXPECT_EQ(judge_boxes(robots).word(), "FAILS");
 }
 
 TEST(GalleryPage, HasARowPerRobotAndSaysHowWalksEnded) {
   std::vector<GalleryRobot> robots = good_robots();
   robots[0].walks[1].end.outcome = "stuck";
   robots[0].walks[10].end.outcome = "fell";
-  const std::string page = gallery_page(robots, false);
-  EXPECT_THAT(page, testing::HasSubstr("| `argos` | ideal | 0.200 (1.00 %) | **stuck** | 0.200"));
-  EXPECT_THAT(page, testing::HasSubstr("| 19 of 20, 1 fell; 0.200 | – |"));
+  const std::string page = gallery_page(robots, "ideal", false);
+  EXPECT_THAT(page, testing::HasSubstr("| `argos` | 0.200 (1.00 %) | **stuck** | 0.200"));
+  EXPECT_THAT(page, testing::HasSubstr("| 19 of 20, 1 fell; 0.200 |"));
 }
 
 }  // namespace
