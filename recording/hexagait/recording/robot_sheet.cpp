@@ -18,9 +18,10 @@ using figures::Panel;
 
 // Robot k's part of the sheet, from above or from the side.
 Panel place(int k, int rows, bool above) {
+  const int down = k / kColumns;
   const double height = rows * kRow + kTitles;
   const double left = (0.02 + k % kColumns) / kColumns;
-  const double top = (height - kTitles - kRow * (k / kColumns)) / height, row = kRow / height;
+  const double top = (height - kTitles - kRow * down) / height, row = kRow / height;
   const double from = above ? 0.42 : 0.13, to = above ? 0.90 : 0.38;
   return {left, left + 0.96 / kColumns, top - (1.0 - from) * row, top - (1.0 - to) * row};
 }

@@ -79,6 +79,7 @@ bool walk_all(const ExperimentContext& context, std::vector<GalleryRobot>& robot
 void draw(figures::StagedFiles& files, const ExperimentContext& context,
           const std::vector<GalleryRobot>& robots) {
   std::vector<recording::Pictured> pictures;
+  pictures.reserve(robots.size());
   for (const GalleryRobot& r : robots)
     pictures.push_back(
         {r.model, fmt::format("{} legs of {} joints, {:.3g} kg, L = {:.2f} m", r.scale.legs,

@@ -92,12 +92,13 @@ Body random_body(Lot& lot) {
 
 // Where leg k's first joint is, and which way the leg goes from there.
 std::string hip(const Body& body, int k) {
-  const double side = k % 2 == 0 ? 1.0 : -1.0, along = 1.0 - 2.0 * (k / 2) / (body.pairs - 1.0);
+  const int pair = k / 2;
+  const double side = k % 2 == 0 ? 1.0 : -1.0, along = 1.0 - 2.0 * pair / (body.pairs - 1.0);
   double angle = side * (kRightAngle - body.fan * along);
   Vector2 place(0.45 * body.length * along, 0.5 * side * body.width);
   if (body.layout == LegLayout::roll_pitch_pitch) angle = side * kRightAngle;
   if (body.round) {
-    angle = side * std::numbers::pi * (k / 2 + 0.5) / body.pairs;
+    angle = side * std::numbers::pi * (pair + 0.5) / body.pairs;
     place = 0.5 * body.width * unit_vector(angle);
   }
   return fmt::format("xyz='{:.6g} {:.6g} 0' rpy='0 {:.6g} {:.6g}'", place.x(), place.y(), body.lean,
