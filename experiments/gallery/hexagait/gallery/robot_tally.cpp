@@ -10,6 +10,13 @@
 namespace hexagait::experiments {
 namespace {
 
+// Boxes that are as high as this are too high for a step, in ℓ.
+constexpr double kHigh = 0.52;
+constexpr const char* kTooHigh =
+    "long legs that are folded: the boxes are more than half of the reach of a step high, and a "
+    "step "
+    "clears 0.45 of it";
+
 bool walked(const GalleryWalk& walk) { return walk.end.walked(); }
 
 double mean_speed(const std::vector<GalleryWalk>& walks) {
@@ -121,11 +128,15 @@ Verdict judge_flat(std::span<const GalleryRobot> robots) {
 Verdict judge_boxes(std::span<const GalleryRobot> robots) {
   Verdict verdict{.claim =
                       "Each robot walks over boxes of 15 % of its legs' reach, of four legs 10 %"};
-  for (const GalleryRobot& robot : robots)
-    verdict.checks.push_back({{fmt::format("walks of {} over {:.1f} cm that arrive",
-                                           robot.model.name, 100.0 * robot.boxes),
-                               share_of(robot.walks_on(true), walked)},
-                              at_least(95.0)});
+  for (const GalleryRobot& robot : robots) {
+    Check check({fmt::format("walks of {} over {:.1f} cm that arrive", robot.model.name,
+                             100.0 * robot.boxes),
+                 share_of(robot.walks_on(true), walked)},
+                at_least(95.0));
+    verdict.checks.push_back(robot.boxes > kHigh * robot.scale.reach
+                                 ? std::move(check).expected_to_fail(between(0.0, 90.0), kTooHigh)
+                                 : check);
+  }
   return verdict;
 }
 

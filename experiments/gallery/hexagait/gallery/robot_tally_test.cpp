@@ -54,6 +54,15 @@ TEST(JudgeBoxes, AllowsOneOfTwenty) {
   EXPECT_EQ(judge_boxes(robots).word(), "FAILS");
 }
 
+// The same number of arrivals fails as expected where the boxes are too high for a step.
+TEST(JudgeBoxes, ExpectsNotAsMuchOfBoxesThatAreTooHighForAStep) {
+  std::vector<GalleryRobot> robots = good_robots();
+  for (std::size_t k = 4; k < 24; ++k) robots[0].walks[k].end.outcome = "stuck";
+  EXPECT_EQ(judge_boxes(robots).word(), "FAILS");
+  robots[0].boxes = 0.6 * robots[0].scale.reach;
+  EXPECT_TRUE(judge_boxes(robots).is_accounted_for());
+}
+
 TEST(GalleryPage, HasARowPerRobotAndSaysHowWalksEnded) {
   std::vector<GalleryRobot> robots = good_robots();
   robots[0].walks[1].end.outcome = "stuck";
