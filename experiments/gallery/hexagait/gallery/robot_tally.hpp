@@ -35,8 +35,7 @@ struct GalleryRobot {
 /// All of them walk each heading on flat ground.
 [[nodiscard]] Verdict judge_flat(std::span<const GalleryRobot> robots);
 
-/// 19 of 20 walks of each arrive, over boxes. Declared to fail for legs so long for their stance
-/// that these boxes are more than 0.52 ℓ high.
+/// 19 of 20 walks of each arrive, over boxes; of some robots it is declared that they do not.
 [[nodiscard]] Verdict judge_boxes(std::span<const GalleryRobot> robots);
 
 /// A row for each walk.
