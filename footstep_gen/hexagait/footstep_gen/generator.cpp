@@ -103,16 +103,28 @@ Vector2 kept_inside(const Vector2& correction, const Stance& stance, const Matri
   return R_OB.topLeftCorner<2, 2>().transpose() * way;
 }
 
-// The farthest point on the way from one to the other that the leg reaches from where the body is now;
-// the first if it reaches none. The body advances under a step, but it may have to wait for the foot.
+// Is a place for the foot beyond the end of a first joint that ends near the workspace? Where it turns
+// farther, footholds that are so far off are so for a moment only, while the body turns.
+bool beyond_first_joint(const LegModel& leg, const Vector3& p_BF) {
+  constexpr double kNear = 1.5;  // of the workspace radius, from its centre
+  const LegSolution solution = inverse_kinematics(leg, p_BF);
+  const JointLimits& limits = leg.limits[0];
+  const bool at_end = solution.q[0] <= limits.lower || solution.q[0] >= limits.upper;
+  if (solution.reachable || !at_end) return false;
+  LegJoints q = inverse_kinematics(leg, leg.p_BC).q;
+  q[0] = solution.q[0];
+  const Vector3 end_BF = foot_position(leg, leg_trig(leg, q));
+  return (end_BF - leg.p_BC).norm() < kNear * leg.workspace_radius;
+}
+
+// The farthest point on the way from one to the other to which the leg's first joint turns from where
+// the body is now. The body advances under a step, but it may have to wait for the foot.
 Vector3 within_reach(const LegModel& leg, const Vector3& from_BF, const Vector3& to_BF) {
-  if (inverse_kinematics(leg, to_BF).reachable) return to_BF;
+  if (!beyond_first_joint(leg, to_BF)) return to_BF;
   constexpr int kHalvings = 6;
-  double reached = 0.0;
-  double step = 0.5;
+  double reached = 0.0, step = 0.5;
   for (int k = 0; k < kHalvings; ++k, step *= 0.5)
-    if (inverse_kinematics(leg, from_BF + (reached + step) * (to_BF - from_BF)).reachable)
-      reached += step;
+    if (!beyond_first_joint(leg, from_BF + (reached + step) * (to_BF - from_BF))) reached += step;
   return from_BF + reached * (to_BF - from_BF);
 }
 
