@@ -33,6 +33,7 @@ struct ExperimentArguments {
   std::string out = "results";
   std::string title = "auto";  ///< of the figures; or none
   std::string jobs;            ///< empty: one per core
+  std::string robots;          ///< how many random ones; empty: as many as usual
   bool list = false, short_form = false, json = false, quiet = false;
   PlantArguments plant;
 };

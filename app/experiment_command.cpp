@@ -9,6 +9,7 @@
 #include <hexagait/figures/gnuplot.hpp>
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/text/nearest_word.hpp>
+#include <hexagait/text/parse_number.hpp>
 #include <hexagait/urdf/urdf.hpp>
 
 #include "commands.hpp"
@@ -52,6 +53,17 @@ recording::PlantSetup plant_for(const std::vector<Experiment>& selection,
   return setup;
 }
 
+// What --robots says; 0: nothing.
+std::uint64_t how_many(const ExperimentArguments& arguments) {
+  if (arguments.robots.empty()) return 0;
+  constexpr std::uint64_t kMost = 1000000;
+  const auto count = parse_number<std::uint64_t>(arguments.robots);
+  if (!count || *count < 1 || *count > kMost)
+    throw InvalidInput(fmt::format("--robots is '{}'; it must be a whole number from 1 to {}",
+                                   arguments.robots, kMost));
+  return *count;
+}
+
 void print(const Manifest& manifest, const std::filesystem::path& out) {
   print_out(fmt::format("{}\n", manifest.title));
   for (const experiments::Verdict& verdict : manifest.outcome.verdicts) {
@@ -84,6 +96,8 @@ int experiment_command(const ExperimentArguments& arguments) {
                .short_form = arguments.short_form,
                .titles = arguments.title != "none",
                .jobs = jobs(arguments.jobs, cores()),
+               .count = how_many(arguments),
+               .robot_files = robot_files(),
                .plant = plant},
               arguments.out));
     });

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <hexagait/all/all.hpp>
+#include <hexagait/params/params_for.hpp>
 #include <hexagait/sim2d/terrain2d.hpp>
 #include <hexagait/sim3d/terrain.hpp>
 #include <hexagait/text/invalid_input.hpp>
@@ -28,11 +30,20 @@ struct List {
   std::string text;
 };
 
+// At which robots walk straight on over flat ground, or nearly so: those in robots/ at 0.26 to 0.34 ℓ/T,
+// those of four legs, which crawl, at 0.06 to 0.07 ℓ/T.
+double usual_speed(const RobotScale& scale) {
+  return (scale.legs == 4 ? 0.065 : 0.3) * scale.reach / scale.time;
+}
+
 List robots() {
   List list;
+  list.text = fmt::format("{:<14} {:>4}  {:>6}  {:>8}  {:>11}  {:>10}  {:>6}  {:>6}\n", "", "legs",
+                          "joints", "mass", "stance", "legs reach", "step", "speed");
   for (const std::string& name : known_names("robots", ".urdf")) {
     const std::string file = robot_file(name);
     const RobotModel robot = load_urdf(file);
+    const RobotScale scale = scale_of(robot);
     double reach = 0.0, length = 0.0, width = 0.0;
     for (const LegModel& leg : robot.legs) {
       reach = std::max(reach, leg.max_reach);
@@ -41,8 +52,10 @@ List robots() {
     }
     const int joints = robot.legs[0].num_joints();
     list.text += fmt::format(
-        "{:<14} {} legs × {} joints, {:5.1f} kg, stance {:.2f} × {:.2f} m, legs reach {:.2f} m\n",
-        name, robot.num_legs(), joints, robot.mass, length, width, reach);
+        "{:<14} {:>4}  {:>6}  {:>5.1f} kg  {:.2f} × {:.2f} m  {:>8.2f} m  {:>3.0f} cm  {:.2f} "
+        "m/s\n",
+        name, robot.num_legs(), joints, robot.mass, length, width, reach, 100.0 * scale.reach,
+        usual_speed(scale));
     list.json.push_back({{"name", name},
                          {"file", file},
                          {"legs", robot.num_legs()},
@@ -50,10 +63,15 @@ List robots() {
                          {"mass_kg", robot.mass},
                          {"stance_length_m", length},
                          {"stance_width_m", width},
-                         {"reach_m", reach}});
+                         {"size_m", scale.size},
+                         {"reach_m", reach},
+                         {"step_reach_m", scale.reach},
+                         {"usual_speed_m_s", usual_speed(scale)}});
   }
   list.text +=
       fmt::format("{:<14} Genghis II in a side view, without a file: for walk only\n", kGenghis);
+  list.text +=
+      "\nspeed: about, straight on over flat ground; hexagait robot NAME has all figures of one.\n";
   list.json.push_back({{"name", kGenghis}, {"file", nullptr}});
   return list;
 }
@@ -68,6 +86,16 @@ std::string comment(const std::string& file) {
   return text;
 }
 
+// How many steps are written in an action file, those in lists of their own as well.
+int steps_in(const std::string& file) {
+  const std::string text = read_text(file, kMaxYamlText);
+  int count = 0;
+  for (std::size_t at = text.find("- step:"); at != std::string::npos;
+       at = text.find("- step:", at + 1))
+    ++count;
+  return count;
+}
+
 List actions() {
   List list;
   for (const std::string& name : known_names("actions", ".yaml")) {
@@ -77,8 +105,14 @@ List actions() {
     const std::string what = about.substr(0, std::min(about.find(". "), about.find(": ")));
     const std::size_t begin = std::min(about.find('`'), about.size() - 1) + 1;
     const std::string robot = about.substr(begin, about.find('`', begin) - begin);
-    list.text += fmt::format("{:<14} {:<12} {}\n", name, robot, what);
-    list.json.push_back({{"name", name}, {"file", file}, {"robot", robot}, {"description", what}});
+    const int steps = steps_in(file);
+    list.text += fmt::format("{:<14} {:<12} {:>2} step{}  {}\n", name, robot, steps,
+                             steps == 1 ? " " : "s", what);
+    list.json.push_back({{"name", name},
+                         {"file", file},
+                         {"robot", robot},
+                         {"steps", steps},
+                         {"description", what}});
   }
   return list;
 }

@@ -40,7 +40,11 @@ void add_experiment(CLI::App& app, ExperimentArguments& a) {
   experiment->add_option("--title", a.title, "none: figures without titles, for a paper")
       ->check(CLI::IsMember({"auto", "none"}))
       ->capture_default_str();
-  experiment->add_option("--jobs", a.jobs, "Worker processes of sensitivity; default one per core")
+  experiment
+      ->add_option("--jobs", a.jobs,
+                   "Workers of sensitivity, random_robots and gallery; default one per core")
+      ->type_name("N");
+  experiment->add_option("--robots", a.robots, "How many robots random_robots draws; default 1000")
       ->type_name("N");
   experiment->add_flag("--list", a.list, "The same as hexagait list experiments");
   experiment->add_flag("--short", a.short_form,

@@ -230,7 +230,8 @@ int results_command(const ResultsArguments& arguments) {
              .progress = [&](double share) { progress.at(share); },
              .stop = &interrupted,
              .short_form = arguments.short_form,
-             .jobs = jobs("", cores())},
+             .jobs = jobs("", cores()),
+             .robot_files = robot_files()},
             arguments.figures);
     if (interrupted) return kInterrupted;
     well = well && manifest.is_accounted_for();

@@ -10,8 +10,10 @@ namespace hexagait::experiments {
 
 namespace fs = std::filesystem;
 
-Manifest run(const Experiment& experiment, const ExperimentContext& context, const fs::path& out) {
+Manifest run(const Experiment& experiment, const ExperimentContext& asked, const fs::path& out) {
   const fs::path directory = out / experiment.name;
+  ExperimentContext context = asked;
+  context.directory = directory;
   std::error_code error;
   fs::create_directories(directory, error);
   if (error)

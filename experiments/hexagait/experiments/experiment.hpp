@@ -19,7 +19,11 @@ struct ExperimentContext {
   const std::atomic<bool>* stop = nullptr;     ///< once true, the experiment ends early
   bool short_form = false;  ///< some seconds; claims that need more are not judged, and say so
   bool titles = true;       ///< above the figures
-  int jobs = 1;             ///< worker processes, where an experiment has some
+  int jobs = 1;             ///< workers, where an experiment has some
+  std::uint64_t count = 0;  ///< how many random robots; 0: as many as usual
+  std::vector<std::string> robot_files = {};  ///< URDF files of the robots that come with hexagait
+  /// Where its files will be; what is kept there meanwhile, an experiment removes in the end.
+  std::filesystem::path directory = {};
   recording::PlantSetup plant = {};  ///< of the walks; claims are made for the ideal one
 
   /// Whether it is to end early.

@@ -6,12 +6,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <future>
+#include <hexagait/experiments/on_workers.hpp>
 #include <hexagait/experiments/walk_checks.hpp>
 #include <hexagait/experiments/walks.hpp>
-#include <mutex>
 #include <thread>
 
 namespace hexagait::experiments {
@@ -144,21 +142,11 @@ bool walk_all(const ExperimentContext& context, std::span<std::vector<Walk>> gro
       walks.push_back(&walk);
     }
 
-  std::atomic<std::size_t> next = 0;
-  std::size_t done = 0;
-  std::mutex progress;
-  const auto work = [&] {
-    for (std::size_t k = next++; k < walks.size() && !context.stopped(); k = next++) {
-      walks[k]->summary =
-          recording::simulate(*context.robot, walks[k]->simulation, {}, context.stop);
-      const std::scoped_lock lock(progress);
-      context.tell(++done, walks.size());
-    }
+  const auto simulate = [&](std::size_t k) {
+    walks[k]->summary = recording::simulate(*context.robot, walks[k]->simulation, {}, context.stop);
   };
-  std::vector<std::future<void>> workers(std::max(1U, std::thread::hardware_concurrency()));
-  for (std::future<void>& worker : workers) worker = std::async(std::launch::async, work);
-  for (std::future<void>& worker : workers) worker.get();
-  return !context.stopped();
+  const auto cores = static_cast<int>(std::thread::hardware_concurrency());
+  return on_workers(context, walks.size(), cores, simulate, [](std::size_t) {});
 }
 
 double farthest_workspace(const RobotModel& robot) {

@@ -5,6 +5,8 @@
 #include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/footstep_gen/detail/stance_from_above.hpp>
 #include <hexagait/footstep_gen/generator.hpp>
+#include <hexagait/math/quintic.hpp>
+#include <hexagait/model/kinematics.hpp>
 #include <hexagait/posture/arc_optimum.hpp>
 #include <hexagait/posture/plane_fit.hpp>
 
@@ -119,10 +121,36 @@ Vector2 kept_inside(const Vector2& correction, const Stance& stance, const Matri
   return R_OB.topLeftCorner<2, 2>().transpose() * way;
 }
 
+// Is a place for the foot beyond the end of a first joint that ends near the workspace? Where it turns
+// farther, footholds that are so far off are so for a moment only, while the body turns.
+bool beyond_first_joint(const LegModel& leg, const Vector3& p_BF) {
+  constexpr double kNear = 1.5;  // of the workspace radius, from its centre
+  const LegSolution solution = inverse_kinematics(leg, p_BF);
+  const JointLimits& limits = leg.limits[0];
+  const bool at_end = solution.q[0] <= limits.lower || solution.q[0] >= limits.upper;
+  if (solution.reachable || !at_end) return false;
+  LegJoints q = inverse_kinematics(leg, leg.p_BC).q;
+  q[0] = solution.q[0];
+  const Vector3 end_BF = foot_position(leg, leg_trig(leg, q));
+  return (end_BF - leg.p_BC).norm() < kNear * leg.workspace_radius;
+}
+
+// The farthest point on the way from one to the other to which the leg's first joint turns from where
+// the body is now. The body advances under a step, but it may have to wait for the foot.
+Vector3 within_reach(const LegModel& leg, const Vector3& from_BF, const Vector3& to_BF) {
+  if (!beyond_first_joint(leg, to_BF)) return to_BF;
+  constexpr int kHalvings = 6;
+  double reached = 0.0, step = 0.5;
+  for (int k = 0; k < kHalvings; ++k, step *= 0.5)
+    if (!beyond_first_joint(leg, from_BF + (reached + step) * (to_BF - from_BF))) reached += step;
+  return from_BF + reached * (to_BF - from_BF);
+}
+
 }  // namespace
 
 double nominal_step_time(const SwingParams& swing, const StepParams& step) noexcept {
-  const double rise = 0.43 * swing.lift_time;
+  const double lift = std::max(swing.lift_time, kMinimumJerkPeak * step.height / swing.max_rise);
+  const double rise = 0.43 * lift;
   const double sideways = swing.transfer_time - swing.overlap_time;
   const double down =
       step.height / swing.descent_speed + swing.touchdown_margin / swing.touchdown_speed;
@@ -162,11 +190,13 @@ FootstepCommand footstep(const RobotModel& model, const PathArc& arc, const Robo
                          const Pose* X_BG) noexcept {
   const double reach = 0.5 * model.legs[leg].workspace_radius;
   const Vector3 aep_GF = aep(arc, leg, std::min(half_step, reach) + to_come);
+  const Vector3 aep_BF = X_BG ? *X_BG * aep_GF : aep_GF;
   const double start_z = state.print_O[leg].z();
   double highest_z = start_z;
   for (const Vector3& print : state.print_O) highest_z = std::max(highest_z, print.z());
 
-  FootstepCommand step{leg, state.X_OB * (X_BG ? *X_BG * aep_GF : aep_GF), 0.0};
+  const Vector3 p_BF = within_reach(model.legs[leg], model.legs[leg].p_BC, aep_BF);
+  FootstepCommand step{leg, state.X_OB * p_BF, 0.0};
   step.p_OT.z() = start_z;
   step.profile_height =
       std::min(params.max_height, params.height + params.roughness_gain * (highest_z - start_z));

@@ -28,7 +28,9 @@ namespace hexagait::footstep_gen {
                                   double half_step, const Pose* X_BG = nullptr) noexcept;
 
 /// The step of one leg (step 1): to its AEP ([PC04] eq. 3) plus the advance still to come, at the
-/// height of its last footprint.
+/// height of its last footprint; or, where a leg's first joint ends near its workspace, as far on the way
+/// there from the workspace centre as it turns, from where the body is now: the body may have to wait
+/// for the foot.
 /// @param half_step  [m of path]
 /// @param to_come    advance of the base until the foot lands [m of path]
 [[nodiscard]] FootstepCommand footstep(const RobotModel& model, const heading_control::PathArc& arc,

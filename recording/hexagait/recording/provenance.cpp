@@ -55,6 +55,7 @@ Parameters parameters(const sim3d::WorldParams& params) {
                     {"gravity_m_s2", params.gravity},
                     {"velocity_limits", params.velocity_limits},
                     {"drive_friction_n_m", params.drive_friction},
+                    {"backlash_rad", params.backlash},
                     {"armature_kg_m2", params.armature},
                     {"servo_lag_s", params.servo_lag},
                     {"mass_error", params.mass_error},

@@ -103,6 +103,19 @@ TEST_F(Drive, DryFrictionHoldsUntilItIsOvercome) {
   EXPECT_NEAR(run(to(0.001), 500).back()[kYaw], 0.001, 1e-5);
 }
 
+// The weight of a leg takes a hip to the end of the play, half of it beyond where it would sag to. A
+// yaw axis, which no weight turns, stays where it is until its target is farther than that.
+TEST_F(Drive, PlayInTheGearLetsTheJointGoHalfOfIt) {
+  const auto to = [](double q) {
+    return [q](double) { return JointTargets{all(kYaw, q), kZero, kZero}; };
+  };
+  const double sag = run(to(0.0), 1000).back()[kHip];
+  params_.backlash = 0.02;
+  EXPECT_NEAR(std::abs(run(to(0.0), 1000).back()[kHip]), std::abs(sag) + 0.01, 1e-4);
+  EXPECT_NEAR(run(to(0.009), 1000).back()[kYaw], 0.0, 1e-6);
+  EXPECT_NEAR(run(to(0.030), 1000).back()[kYaw], 0.02, 1e-3);
+}
+
 // n steps of a constant torque from rest go q = τ h² n (n + 1)/2 / J; so does J + I.
 TEST_F(Drive, ARotorAddsItsInertia) {
   params_.servo_friction = 0.05;

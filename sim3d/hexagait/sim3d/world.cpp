@@ -194,6 +194,8 @@ std::span<const Imperfection<WorldParams>> imperfections() {
        "Servos follow their targets with this time constant"},
       {"drive_friction", &WorldParams::drive_friction, PlantUnit::torque, 0.0, 1e4,
        "Dry friction of every drive"},
+      {"backlash", &WorldParams::backlash, PlantUnit::angle, 0.0, 0.2,
+       "Play of every gear, to both sides together"},
       {"armature", &WorldParams::armature, PlantUnit::inertia, 0.0, 1e3,
        "Inertia of every drive's rotor, seen at the joint"},
       {"mass_error", &WorldParams::mass_error, PlantUnit::share, 0.0, 0.9,

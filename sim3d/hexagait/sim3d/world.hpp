@@ -44,6 +44,11 @@ struct WorldParams : PlantParams {
   /// part of the servo's effort and its limit. Too high: joints stick, and stop beside their targets.
   double drive_friction = 0.0;
 
+  /// Play of every gear [rad]: a position servo holds its side of the gear, and within half of this
+  /// to either side nothing holds the joint but the friction of its drive. The joint's sensor is
+  /// behind the gear.
+  double backlash = 0.0;
+
   /// Inertia of every drive's rotor as seen at the joint, its own times the square of the gear
   /// ratio [kg m²]. It does not turn with the link: the robot's mass and inertia are unchanged.
   double armature = 0.0;

@@ -4,6 +4,7 @@
 
 #include <hexagait/sim3d/world.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <hexagait/walk/faults.hpp>
 #include <hexagait/walk/trial.hpp>
 #include <numbers>
 
@@ -123,6 +124,26 @@ TEST_P(TwoJointLegs, GoAheadOrBackWhereTheyAreToldToCrab) {
 
 INSTANTIATE_TEST_SUITE_P(All, TwoJointLegs, ::testing::Values("genghis"),
                          [](const auto& of) { return std::string(of.param); });
+
+// Hobby servos: a bus at 50 Hz that takes positions only, and half a degree of play in each gear.
+TEST(Desktop, WalksWithHobbyServos) {
+  const RobotModel robot = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/desktop.urdf");
+  sim3d::WorldParams params;
+  params.control_dt = 0.02;
+  params.backlash = 0.5 * std::numbers::pi / 180.0;
+  sim3d::World world(robot, {}, params, nominal_posture(robot));
+  FaultyPlant plant(world, robot, {.positions_only = true}, params.control_dt, 1);
+  footstep_gen::WalkerParams slow;
+  slow.control_dt = params.control_dt;
+  footstep_gen::Walker walker(robot, slow);
+  TrialOptions options;
+  options.schedule = {{0.0, Heading::straight(0.0), {}}};
+  options.seconds = 20.0;
+  const Summary s = run_trial(walker, plant, world.truth(), options);
+  EXPECT_TRUE(s.ok()) << in_words(s.hindrance, robot);
+  EXPECT_GE(s.speed, 0.08);
+  EXPECT_LT(s.lateral_max, 0.02 * scale_of(robot).size);
+}
 
 /// One leg at a time, the centre of mass inside the other three feet. The body sways across its path,
 /// so how far it is off says nothing; its feet are not.

@@ -36,11 +36,11 @@ void weigh(RobotModel& robot) {
   robot.inertia_M_B = nominal_inertia(robot);
 }
 
-// ℓ/T: the speed of walking is proportional to it; 0 if the joints can't carry the robot.
+// The speed of walking grows with it; 0 if the joints can't carry the robot.
 double merit(const RobotModel& robot) {
   if (standing_effort(robot).share > kMostEffort) return 0.0;
   const RobotScale scale = scale_of(robot);
-  return scale.sideways > 0.0 ? scale.reach / scale.time : 0.0;
+  return scale.sideways > 0.0 ? pace_of(scale) : 0.0;
 }
 
 bool all_pitch_legs(const RobotModel& robot) {

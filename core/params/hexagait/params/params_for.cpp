@@ -12,6 +12,8 @@ namespace {
 constexpr double kStroke = 0.91, kHeight = 0.45;  // of ℓ
 constexpr double kSidewaysSpeed = 2.93;           // over the ground, of ℓ/T
 constexpr double kBodySpeed = 0.33;               // which the body has then, of ℓ/T
+constexpr double kTransferTime = 1.18;            // of T
+constexpr double kDescentSpeed = 0.44;            // of ℓ/T
 constexpr double kLiftTime = 0.62;                // of T
 constexpr double kRisePeak = 1.875;               // minimum jerk: peak over mean speed
 constexpr double kDisc = 0.55;                    // radius of the swing's volume, of the stroke
@@ -102,6 +104,14 @@ double longest_reach(const RobotModel& model, double size) {
   return reach;
 }
 
+// s: the least factor of √(L/g) with which the joints move the feet at these speeds [ℓ/T].
+double stretch(const RobotScale& scale, double across, double up) {
+  if (!(scale.sideways > 0.0)) return 1.0;
+  const double unit = scale.reach / scale.free_time;
+  return std::max({1.0, across * unit / (kSpeedShare * scale.sideways),
+                   up * unit / (kSpeedShare * scale.upwards)});
+}
+
 using P = RobotParams;
 using enum ScaleOf;
 
@@ -119,11 +129,11 @@ constexpr Parameter kParameters[] = {
      [](P& p) -> double& { return p.swing.even_load_rate; }},
     {"swing.lift_time", "s", kLiftTime, time, [](P& p) -> double& { return p.swing.lift_time; }},
     {"swing.max_rise", "m/s", 0.96, joint_rise, [](P& p) -> double& { return p.swing.max_rise; }},
-    {"swing.transfer_time", "s", 1.18, time, [](P& p) -> double& { return p.swing.transfer_time; }},
-    {"swing.max_speed", "m/s", kSidewaysSpeed, speed,
-     [](P& p) -> double& { return p.swing.max_speed; }},
+    {"swing.transfer_time", "s", kTransferTime, time,
+     [](P& p) -> double& { return p.swing.transfer_time; }},
+    {"swing.max_speed", "m/s", 1.0, swing_speed, [](P& p) -> double& { return p.swing.max_speed; }},
     {"swing.overlap_time", "s", 0.31, time, [](P& p) -> double& { return p.swing.overlap_time; }},
-    {"swing.descent_speed", "m/s", 0.44, speed,
+    {"swing.descent_speed", "m/s", kDescentSpeed, speed,
      [](P& p) -> double& { return p.swing.descent_speed; }},
     {"swing.touchdown_speed", "m/s", 0.117, speed,
      [](P& p) -> double& { return p.swing.touchdown_speed; }},
@@ -269,20 +279,19 @@ RobotScale scale_of(const RobotModel& model, double gravity) {
   scale.sideways = speed.sideways;
   scale.upwards = speed.upwards;
 
-  const double unit = scale.reach / scale.free_time;
-  const double across = (kSidewaysSpeed - kBodySpeed) * unit,
-               up = kRisePeak * kHeight / kLiftTime * unit;
-  double stretch = 1.0;
-  if (speed.sideways > 0.0)
-    stretch = std::max(
-        {stretch, across / (kSpeedShare * speed.sideways), up / (kSpeedShare * speed.upwards)});
-  scale.time = stretch * scale.free_time;
+  const double across = kRisePeak * kStroke / kTransferTime - kBodySpeed;
+  scale.time = stretch(scale, across, kDescentSpeed) * scale.free_time;
 
   for (const LegModel& leg : model.legs) {
     scale.outer = std::max(scale.outer, leg.p_BC.head<2>().norm());
     scale.hip_height -= leg.p_BC.z() / model.num_legs();
   }
   return scale;
+}
+
+double pace_of(const RobotScale& scale) {
+  const double across = kSidewaysSpeed - kBodySpeed, up = kRisePeak * kHeight / kLiftTime;
+  return scale.reach / (stretch(scale, across, up) * scale.free_time);
 }
 
 double measure(ScaleOf of, const RobotScale& s) {
@@ -323,6 +332,9 @@ double measure(ScaleOf of, const RobotScale& s) {
       return s.size / s.free_time;
     case joint_rise:
       return s.upwards;
+    case swing_speed:
+      return std::min(kSidewaysSpeed * (s.reach / s.time),
+                      kSpeedShare * s.sideways + kBodySpeed * (s.reach / s.time));
   }
   return 1.0;
 }
@@ -365,6 +377,8 @@ const char* symbol(ScaleOf of) {
       return "√(g L)";
     case joint_rise:
       return "v↑";
+    case swing_speed:
+      return "min(2.93 ℓ/T, 0.9 v→ + 0.33 ℓ/T)";
   }
   return "";
 }

@@ -22,7 +22,9 @@ inline constexpr double kStandardGravity = 9.81;
 /// λ ≤ 1 is the largest share for which the whole volume of a swing is within the legs' reach: discs
 /// of radius 0.55 · stroke about the centres, from below the ground up to the apex. s ≥ 1 is the
 /// least factor at which the joints, at 0.9 of their greatest speeds, move the foot throughout this
-/// volume as fast as a swing asks: |q̇| = |J⁺ v|.
+/// volume as fast as a whole stroke in the time of a transfer asks, and the descent: |q̇| = |J⁺ v|.
+/// What a swing does faster than that, as its rise, is bounded by v→ and v↑, and takes longer by
+/// itself: the rest of the step does not wait for slow joints.
 struct RobotScale {
   double size = 0.0;        ///< L [m]
   double room = 0.0;        ///< λ
@@ -40,6 +42,10 @@ struct RobotScale {
 
 /// @pre the robot is in a stance: p_BC, workspace_radius and q_nominal of its legs are set
 [[nodiscard]] RobotScale scale_of(const RobotModel& model, double gravity = kStandardGravity);
+
+/// ℓ/T of a step no part of which would wait for slow joints, the rise neither: the measure by which
+/// stances are compared [m/s].
+[[nodiscard]] double pace_of(const RobotScale& scale);
 
 /// What a parameter is proportional to.
 enum class ScaleOf : std::uint8_t {
@@ -61,6 +67,7 @@ enum class ScaleOf : std::uint8_t {
   mobility,      ///< √(g L) / (m g)
   free_speed,    ///< √(g L)
   joint_rise,    ///< speed of the feet upwards that the joints allow
+  swing_speed,   ///< over the ground, that the joints allow and a swing needs
 };
 
 /// The measure itself, such as ℓ/T for a speed.

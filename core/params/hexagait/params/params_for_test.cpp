@@ -98,9 +98,10 @@ TEST(ParamsFor, AskForNoMoreThanTheJointsCanDo) {
        {"argos", "spider", "desktop", "mite", "octopod", "hexapod_mammal", "titan"}) {
     const RobotModel robot = load(name);
     const RobotParams params = params_for(robot);
+    const RobotScale scale = scale_of(robot);
     const double r = 0.5 * params.step.stroke, h = params.step.height;
-    // The body moves along with the foot at a sixth of its peak speed or so.
-    const double v = params.swing.max_speed * (1.0 - 0.33 / 2.93);
+    // The body moves along with the foot.
+    const double v = params.swing.max_speed - 0.33 * scale.reach / scale.time;
     for (const LegModel& leg : robot.legs) {
       for (int k = 0; k < 12; ++k) {
         const double angle = 2.0 * std::numbers::pi * k / 12, along = 1.3 * k;
@@ -119,17 +120,34 @@ TEST(ParamsFor, AskForNoMoreThanTheJointsCanDo) {
   }
 }
 
-// Slower joints: the same lengths, and times that grow until the joints can follow.
-TEST(ParamsFor, StretchTimesForSlowJoints) {
+// Slower joints: the same lengths. The times of a step grow until the joints follow a whole stroke;
+// its fastest motions, by less, for these are bounded themselves: sideways by 0.9 of what the joints
+// can do beside the body's own motion, upwards by max_rise.
+TEST(ParamsFor, StretchTimesForSlowJointsAsLittleAsTheyMust) {
   RobotModel robot = load("argos");
   const RobotParams fast = params_for(robot);
   for (LegModel& leg : robot.legs)
     for (JointLimits& limits : leg.limits) limits.velocity *= 0.25;
   const RobotParams slow = params_for(robot);
+  const RobotScale scale = scale_of(robot);
+  const double pace = scale.reach / scale.time;
   EXPECT_EQ(slow.step.stroke, fast.step.stroke);
-  EXPECT_GT(slow.swing.transfer_time, 3.0 * fast.swing.transfer_time);
-  EXPECT_LT(slow.swing.max_speed, 0.34 * fast.swing.max_speed);
   EXPECT_EQ(slow.plant.servo_kd, fast.plant.servo_kd);
+  const double stroke_peak = 1.875 * slow.step.stroke / slow.swing.transfer_time;
+  EXPECT_NEAR(stroke_peak - 0.33 * pace, 0.9 * scale.sideways, 1e-9);
+  EXPECT_NEAR(slow.swing.max_speed - 0.33 * pace, 0.9 * scale.sideways, 1e-9);
+  EXPECT_LT(slow.swing.max_rise, 0.26 * fast.swing.max_rise);
+}
+
+// Joints that follow a stroke but not the fast rise: nothing else of the step waits for them.
+TEST(ParamsFor, KeepTheTimesOfAStepWhoseRiseAloneIsSlow) {
+  RobotModel robot = load("argos");
+  const RobotParams fast = params_for(robot);
+  for (LegModel& leg : robot.legs)
+    for (int k = 1; k < 3; ++k) leg.limits[k].velocity *= 0.5;
+  const RobotParams slow = params_for(robot);
+  EXPECT_EQ(slow.swing.transfer_time, fast.swing.transfer_time);
+  EXPECT_NEAR(slow.swing.max_rise, 0.5 * fast.swing.max_rise, 1e-9);
 }
 
 }  // namespace

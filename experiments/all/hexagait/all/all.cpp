@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <hexagait/all/all.hpp>
 #include <hexagait/fg16/fg16.hpp>
+#include <hexagait/gallery/gallery.hpp>
 #include <hexagait/pc04/pc04.hpp>
 #include <hexagait/sensitivity/sensitivity.hpp>
 
@@ -39,6 +40,9 @@ const std::vector<Experiment>& experiments() {
        true},
       {"sensitivity", "what each imperfection of a robot costs, and at which size it breaks",
        sensitivity},
+      {"gallery", "every robot in robots/: flat ground and boxes", gallery, true},
+      {"random_robots", "robots that nobody has seen before: straight on, an arc and a spin",
+       random_robots},
   };
   return all;
 }

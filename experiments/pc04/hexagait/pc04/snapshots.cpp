@@ -131,12 +131,8 @@ void draw_snapshots(figures::StagedFiles& files, figures::Figure figure,
                        {{"ground", ground},
                         {"ground", shown},
                         {"rough", rough ? 1 : 0},
-<<<<<<< HEAD
-                        {"level_max", terrain.highest()}},
-=======
                         {"commanded", commands.empty() ? 0 : 1},
-                        {"level_max", terrain.spec().height}},
->>>>>>> lauron
+                        {"level_max", terrain.highest()}},
                        scripts::pc04::snapshots);
 }
 

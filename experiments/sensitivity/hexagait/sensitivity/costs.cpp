@@ -25,6 +25,7 @@ std::vector<Ladder> ladders(bool short_form) {
           ladder("servo_lag", {"10ms", "20ms", "40ms"}),
           {"servo", {"servo:position_only"}},
           ladder("drive_friction", {"5Nm", "20Nm"}),
+          ladder("backlash", {"2mrad", "5mrad", "10mrad", "20mrad"}),
           ladder("armature", {"0.05kgm2", "0.2kgm2"}),
           ladder("mass_error", {"10%", "20%", "30%"}),
           ladder("joint_noise", {"0.5mrad", "1mrad", "2mrad", "5mrad"}),

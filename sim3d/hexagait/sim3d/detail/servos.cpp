@@ -45,6 +45,7 @@ Servos::Servos(const WorldParams& params, const LegArray<LegJoints>& q)
       share_(h_ / (params.servo_lag + h_)),
       armature_(params.armature),
       drive_friction_(params.drive_friction),
+      half_play_(0.5 * params.backlash),
       q_(q),
       efforts_(q.size(), LegJoints::Zero()),
       targets_{q, efforts_, efforts_},
@@ -107,8 +108,12 @@ Servos::Motor Servos::motor_of(const Servo& servo) const {
   const double q = of(q_), qd = of(qd_wanted_), effort = of(effort_wanted_);
   const bool moded = servo.leg < targets_.mode.size();
   const ControlMode mode = moded ? targets_.mode[servo.leg] : ControlMode::position;
-  if (mode == ControlMode::position)
-    return {qd + (kp_ * (of(q_wanted_) - q) + effort) / gain_, gain_};
+  if (mode == ControlMode::position) {
+    const double error = of(q_wanted_) - q;
+    const double beyond = error - std::clamp(error, -half_play_, half_play_);
+    if (half_play_ > 0.0 && beyond == 0.0) return {qd, friction_};
+    return {qd + (kp_ * beyond + effort) / gain_, gain_};
+  }
 
   // A joint driven against its limit is held there by the position servo.
   const bool by_velocity = mode == ControlMode::velocity;

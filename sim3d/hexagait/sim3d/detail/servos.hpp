@@ -23,6 +23,9 @@ namespace hexagait::sim3d::detail {
 /// step. In velocity mode CFM = 1/Kv and v = q̇* + τ*/Kv. In effort mode CFM = 1/D and v = τ*/D,
 /// with D the friction of the drive, which gives τ = τ* − D q̇₊.
 ///
+/// With play b in the gear the position servo holds its side of it: e = q* − q counts as far as it
+/// is beyond ± b/2, and within that nothing but the friction D holds the joint.
+///
 /// A drive at its velocity limit is a row with v = ± limit and a gain G that is greater than any
 /// other. Which of its three rows a servo needs, its own or one of these, shows after the step: see
 /// correct(). A rotor of inertia I is a row of its own, τ = I (q̇ − q̇₊)/h, and so is dry friction:
@@ -94,6 +97,7 @@ class Servos {
   double limit_gain_;  // G of velocity limits; 0: there are none
   double share_;       // of the way to a target that a servo with lag goes in a step
   double armature_, drive_friction_;
+  double half_play_;  // of the gears [rad]
   std::vector<Servo> servos_;
   LegArray<LegJoints> q_, efforts_;
   JointTargets targets_;

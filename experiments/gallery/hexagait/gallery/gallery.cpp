@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Every robot that comes with hexagait: flat ground and boxes.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <hexagait/experiments/on_workers.hpp>
+#include <hexagait/experiments/row_journal.hpp>
+#include <hexagait/gallery/gallery.hpp>
+#include <hexagait/gallery/robot_tally.hpp>
+#include <hexagait/recording/robot_sheet.hpp>
+#include <hexagait/urdf/urdf.hpp>
+
+namespace hexagait::experiments {
+namespace {
+
+constexpr double kCell = 0.3;  // width of the boxes, in L
+
+std::vector<RobotHeading> headings(const RobotScale& scale) {
+  return {straight_on(scale), along_an_arc(scale), in_place(), sideways(scale)};
+}
+
+// What a robot is to walk. Over boxes each seed has one of the headings, in turn.
+void plan(GalleryRobot& robot, bool brief) {
+  const std::vector<RobotHeading> all = headings(robot.scale);
+  for (const RobotHeading& heading : all)
+    if (!brief || heading.name == "spin") robot.walks.push_back({robot.model.name, heading.name});
+  for (std::uint64_t seed = 1; seed <= (brief ? 1 : 20); ++seed)
+    robot.walks.push_back({robot.model.name, all[(seed - 1) % all.size()].name, robot.boxes, seed});
+}
+
+void walk_it(const ExperimentContext& context, const GalleryRobot& robot, GalleryWalk& walk) {
+  const std::vector<RobotHeading> all = headings(robot.scale);
+  RobotHeading heading = *std::ranges::find(all, walk.heading, &RobotHeading::name);
+  if (context.short_form) heading.distance *= 0.1;
+  recording::Simulation simulation = walk_of(heading, robot.scale);
+  simulation.plant = context.plant;
+  simulation.seed = walk.seed;
+  if (walk.height > 0.0)
+    simulation.terrain = {.kind = sim3d::TerrainSpec::Kind::boxes,
+                          .height = walk.height,
+                          .cell = kCell * robot.scale.size};
+  walk.end =
+      end_of(recording::simulate(robot.model, simulation, {}, context.stop), heading, robot.model);
+}
+
+// Walks all, but those of an earlier run that was stopped.
+bool walk_all(const ExperimentContext& context, std::vector<GalleryRobot>& robots) {
+  const recording::Provenance by = recording::provenance();
+  RowJournal journal(
+      context.directory / "gallery.journal",
+      fmt::format("gallery of hexagait {} ({}, {}), plant {}{}", by.version, by.revision,
+                  by.compiler, context.plant.name, context.short_form ? ", short" : ""));
+  struct Left {
+    const GalleryRobot* robot;
+    GalleryWalk* walk;
+    std::uint64_t number;
+  };
+  std::vector<Left> left;
+  std::uint64_t number = 0;
+  for (GalleryRobot& robot : robots)
+    for (GalleryWalk& walk : robot.walks) {
+      const auto row = journal.rows().find(++number);
+      if (row == journal.rows().end())
+        left.push_back({&robot, &walk, number});
+      else
+        walk.end = parse_end(row->second);
+    }
+  const bool done = on_workers(
+      context, left.size(), context.jobs,
+      [&](std::size_t k) { walk_it(context, *left[k].robot, *left[k].walk); },
+      [&](std::size_t k) { journal.add(left[k].number, to_line(left[k].walk->end)); },
+      static_cast<std::size_t>(number) - left.size());
+  if (done) journal.remove();
+  return done;
+}
+
+void draw(figures::StagedFiles& files, const ExperimentContext& context,
+          const std::vector<GalleryRobot>& robots) {
+  std::vector<recording::Pictured> pictures;
+  pictures.reserve(robots.size());
+  for (const GalleryRobot& r : robots)
+    pictures.push_back(
+        {r.model, fmt::format("{} legs of {} joints, {:.3g} kg, L = {:.2f} m", r.scale.legs,
+                              r.model.legs[0].num_joints(), r.model.mass, r.scale.size)});
+  recording::draw_robots(files,
+                         context.figure("gallery", 0, 0, "Every robot in robots/",
+                                        "In their stances, from above and from the side · left "
+                                        "legs blue, right legs yellow"),
+                         pictures);
+}
+
+}  // namespace
+
+Outcome gallery(const ExperimentContext& context, figures::StagedFiles& files) {
+  std::vector<GalleryRobot> robots;
+  for (const std::string& file : context.robot_files) {
+    RobotModel model = load_urdf(file);
+    model.name = std::filesystem::path(file).stem();
+    robots.push_back(in_gallery(model));
+    plan(robots.back(), context.short_form);
+  }
+  if (!walk_all(context, robots)) return {};
+  const figures::Csv rows = table(robots);
+  files.write("gallery.csv", rows.text());
+  files.write("gallery.md", gallery_page(robots, context.plant.name, context.short_form));
+  draw(files, context, robots);
+
+  const std::vector<Verdict> verdicts = {judge_flat(robots), judge_boxes(robots)};
+  return {.verdicts = judged_in_full_only(verdicts, context.short_form),
+          .settings = {{"robots", std::to_string(robots.size())}},
+          .table = rows};
+}
+
+}  // namespace hexagait::experiments
