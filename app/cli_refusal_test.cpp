@@ -22,7 +22,7 @@ TEST_F(Cli, RefusesUnknownTerrainsAndNamesTheKnown) {
   refuses("walk --robot genghis2d --terrain stpe:0.1", {"did you mean 'step'?"});
   refuses("walk --terrain boxes:10deg", {"'10deg' is not a length", "10cm"});
   refuses("walk --terrain boxes:1e300", {"out of range"});
-  refuses("walk --terrain boxes:-1", {"boxes:-1", "negative"});
+  refuses("walk --terrain boxes:-1", {"boxes:-1", "the height must be 0 or more"});
   refuses("walk --terrain boxes:nan", {"boxes:nan"});
 }
 

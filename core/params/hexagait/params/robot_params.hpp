@@ -167,10 +167,11 @@ struct ScriptParams {
   double base_target_time = kDerived;  ///< shortest motion to a base target [s]
   double pause_time = kDerived;        ///< in which motions slow to a stop, and speed up [s]
   double reach_time = kDerived;        ///< out of reach for longer, the action fails [s]
-  double regain_limit = kDerived;      ///< longest time of a step spent waiting for feet that should stand [s]
-  double near_plan = kDerived;         ///< a base farther than this off its plan starts anew [m]
-  double height_lost = kDerived;       ///< a height missed by more is not kept [m]
-  double narrow_margin = kDerived;     ///< a stability margin below this is warned of [m]
+  double regain_limit =
+      kDerived;  ///< longest time of a step spent waiting for feet that should stand [s]
+  double near_plan = kDerived;      ///< a base farther than this off its plan starts anew [m]
+  double height_lost = kDerived;    ///< a height missed by more is not kept [m]
+  double narrow_margin = kDerived;  ///< a stability margin below this is warned of [m]
 };
 
 /// What a simulated robot's drives, feet and ground are like; a real robot has its own.

@@ -37,10 +37,10 @@ void walk_it(const ExperimentContext& context, const GalleryRobot& robot, Galler
   recording::Simulation simulation = walk_of(heading, robot.scale);
   simulation.plant = context.plant;
   simulation.seed = walk.seed;
-  if (walk.height > 0.0)
-    simulation.terrain = {.kind = sim3d::TerrainSpec::Kind::boxes,
-                          .height = walk.height,
-                          .cell = kCell * robot.scale.size};
+  if (walk.height > 0.0) {
+    simulation.terrain = {sim3d::TerrainKind::boxes, walk.height};
+    simulation.terrain.cell = kCell * robot.scale.size;
+  }
   walk.end =
       end_of(recording::simulate(robot.model, simulation, {}, context.stop), heading, robot.model);
 }
