@@ -25,7 +25,7 @@ void add_experiment(CLI::App& app, ExperimentArguments& a) {
   CLI::App* experiment =
       app.add_subcommand("experiment", "Make a figure of a paper again, and test its claims");
   experiment->footer(
-      "\nWithout a name it lists the experiments; all of them take some twenty minutes.\n\n"
+      "\nWithout a name it lists the experiments; all of them take about an hour.\n\n"
       "On another plant than the ideal one no claim is judged; what was measured is told.\n\n"
       "Examples:\n  hexagait experiment fig9 --out results\n  hexagait experiment all --short\n"
       "  hexagait experiment walks --plant real\n\n"
@@ -44,7 +44,7 @@ void add_experiment(CLI::App& app, ExperimentArguments& a) {
       ->add_option("--jobs", a.jobs,
                    "Workers of sensitivity, random_robots and gallery; default one per core")
       ->type_name("N");
-  experiment->add_option("--robots", a.robots, "How many robots random_robots draws; default 1000")
+  experiment->add_option("--robots", a.robots, "How many robots random_robots draws; default 200")
       ->type_name("N");
   experiment->add_flag("--list", a.list, "The same as hexagait list experiments");
   experiment->add_flag("--short", a.short_form,

@@ -4,6 +4,7 @@
 // Every robot that comes with hexagait: flat ground and boxes.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <hexagait/experiments/on_workers.hpp>
 #include <hexagait/experiments/row_journal.hpp>
@@ -17,13 +18,17 @@ namespace {
 
 constexpr double kCell = 0.3;  // width of the boxes, in L
 
-std::vector<RobotHeading> headings(const RobotScale& scale) {
-  return {straight_on(scale), along_an_arc(scale), in_place(), sideways(scale)};
+// Robots with legs of two joints can't crab.
+std::vector<RobotHeading> headings(const GalleryRobot& robot) {
+  std::vector<RobotHeading> all = {straight_on(robot.scale), along_an_arc(robot.scale), in_place()};
+  if (std::ranges::none_of(robot.model.legs, &LegModel::has_two_joints))
+    all.push_back(sideways(robot.scale));
+  return all;
 }
 
 // What a robot is to walk. Over boxes each seed has one of the headings, in turn.
 void plan(GalleryRobot& robot, bool brief) {
-  const std::vector<RobotHeading> all = headings(robot.scale);
+  const std::vector<RobotHeading> all = headings(robot);
   for (const RobotHeading& heading : all)
     if (!brief || heading.name == "spin") robot.walks.push_back({robot.model.name, heading.name});
   for (std::uint64_t seed = 1; seed <= (brief ? 1 : 20); ++seed)
@@ -31,7 +36,7 @@ void plan(GalleryRobot& robot, bool brief) {
 }
 
 void walk_it(const ExperimentContext& context, const GalleryRobot& robot, GalleryWalk& walk) {
-  const std::vector<RobotHeading> all = headings(robot.scale);
+  const std::vector<RobotHeading> all = headings(robot);
   RobotHeading heading = *std::ranges::find(all, walk.heading, &RobotHeading::name);
   if (context.short_form) heading.distance *= 0.1;
   recording::Simulation simulation = walk_of(heading, robot.scale);

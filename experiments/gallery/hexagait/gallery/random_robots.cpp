@@ -15,7 +15,7 @@
 namespace hexagait::experiments {
 namespace {
 
-constexpr std::uint64_t kRobots = 1000, kRobotsInShort = 5;
+constexpr std::uint64_t kRobots = 200, kRobotsInShort = 5;
 
 std::vector<RobotTrial> those_that_stand(std::span<const RobotTrial> trials) {
   std::vector<RobotTrial> standing;
