@@ -138,9 +138,6 @@ bool beyond_first_joint(const LegModel& leg, const Vector3& p_BF) {
 // The farthest point on the way from one to the other to which the leg's first joint turns from where
 // the body is now. The body advances under a step, but it may have to wait for the foot.
 Vector3 within_reach(const LegModel& leg, const Vector3& from_BF, const Vector3& to_BF) {
-  // The leg reaches all of its workspace.
-  const double radius = leg.workspace_radius;
-  if ((to_BF - from_BF).squaredNorm() <= radius * radius) return to_BF;
   if (!beyond_first_joint(leg, to_BF)) return to_BF;
   constexpr int kHalvings = 6;
   double reached = 0.0, step = 0.5;
