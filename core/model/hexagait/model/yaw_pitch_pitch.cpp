@@ -7,22 +7,12 @@
 namespace hexagait {
 namespace {
 
+using detail::canonical;
+using detail::joint_value;
+
 constexpr double kRounding = 1e-9;  // tolerated excess over the reach [m]
 constexpr double kOnAxis = YawPitchPitchLeg::kOnAxis;
 constexpr double kFarAway = 1e6;  // targets are clamped to this, so that squares stay finite [m]
-
-double canonical(const LegModel& leg, int joint, double q) {
-  return leg.joint_sign[joint] * q + leg.joint_offset[joint];
-}
-
-/// The joint value of the canonical angle k, modulo 2π nearest to the middle of the limits.
-double joint_value(const LegModel& leg, int joint, double k) {
-  const JointLimits& limits = leg.limits[joint];
-  const double q = leg.joint_sign[joint] * (k - leg.joint_offset[joint]);
-  if (within(limits, q)) return q;
-  const double middle = 0.5 * (limits.lower + limits.upper);
-  return middle + wrap_angle(q - middle);
-}
 
 /// The vertical plane of the leg, and the foot in it.
 struct LegPlane {
@@ -144,11 +134,7 @@ LegJacobian YawPitchPitchLeg::foot_jacobian(const LegModel& leg, const LegTrig& 
 }
 
 Matrix3 YawPitchPitchLeg::tibia_rotation(const LegModel& leg, const LegTrig& trig) noexcept {
-  Matrix3 R_HT;
-  R_HT << trig.c[0] * trig.c[2], -trig.s[0], trig.c[0] * trig.s[2],  //
-      trig.s[0] * trig.c[2], trig.c[0], trig.s[0] * trig.s[2],       //
-      -trig.s[2], 0.0, trig.c[2];
-  return leg.X_BH.R * R_HT;
+  return detail::last_link_rotation(leg, {trig.s[0], trig.c[0]}, {trig.s[2], trig.c[2]});
 }
 
 LegSolution YawPitchPitchLeg::inverse_kinematics(const LegModel& leg, const Vector3& p_BF,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <hexagait/model/leg_solution.hpp>
+#include <hexagait/model/yaw_and_pitches.hpp>
 
 namespace hexagait {
 
@@ -87,10 +88,7 @@ inline LegJoints YawPitchPitchLeg::foot_effort(const LegModel& leg, const LegTri
 inline Vector3 YawPitchPitchLeg::tibia_turn(const LegModel& leg, const LegTrig& trig,
                                             const LegJoints& dq) noexcept {
   const Vector3 dk = leg.joint_sign.cwiseProduct(dq.head<3>());
-  // The pitch axis at half the yaw: the joints move together.
-  const double half = 0.5 * dk[0];
-  const Vector3 pitch_axis_H(-trig.s[0] - half * trig.c[0], trig.c[0] - half * trig.s[0], 0.0);
-  return leg.X_BH.R * (dk[0] * Vector3::UnitZ() + (dk[1] + dk[2]) * pitch_axis_H);
+  return detail::last_link_turn(leg, {trig.s[0], trig.c[0]}, dk[0], dk[1] + dk[2]);
 }
 
 }  // namespace hexagait
