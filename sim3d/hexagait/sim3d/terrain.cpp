@@ -107,7 +107,6 @@ Terrain::Terrain(const TerrainSpec& spec, std::uint64_t seed) : spec_(spec), see
     const auto [lowest, highest] = bounds(part);
     lowest_ += lowest;
     highest_ += highest;
-    has_ice_ = has_ice_ || part.kind == TerrainKind::ice;
   }
   cells_ = {{spec_.cell, 0.0}, {spec_.cell, 0.0}};
   int high = 0, of_cells = 0;

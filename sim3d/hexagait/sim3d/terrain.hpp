@@ -53,7 +53,6 @@ class Terrain {
 
   /// Coefficient of friction at (x, y), if it is `otherwise` where there is no ice.
   [[nodiscard]] double friction_at(double x, double y, double otherwise) const;
-  [[nodiscard]] bool has_ice() const { return has_ice_; }
 
   /// The cells of a terrain of cells; of others, those of boxes.
   [[nodiscard]] const CellAxis& x_axis() const { return cells_.x; }
@@ -96,7 +95,6 @@ class Terrain {
   Cells cells_;
   std::vector<Layer> layers_;
   double lowest_ = 0.0, highest_ = 0.0;
-  bool has_ice_ = false;
 };
 
 }  // namespace hexagait::sim3d

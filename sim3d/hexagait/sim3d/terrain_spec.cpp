@@ -29,47 +29,81 @@ constexpr Measure kSignedHeight{"the height", Dimension::length, -kAny, kAny, ""
 constexpr Measure kLength{"the length", Dimension::length, 0.05, kAny, "0.05 m or more"};
 constexpr double kSteepest = std::numbers::pi / 3.0;
 
+/// A kind of terrain in words; all there is to read and write it.
 struct KindWords {
   TerrainKind kind;
-  std::string_view name;
+  TerrainDescription description;
   Measure size;
   Measure extent = {};
   double usual_extent = 0.0;
   bool is_height = true;  ///< its size is a height
+
+  constexpr std::string_view name() const {
+    return description.syntax.substr(0, description.syntax.find(':'));
+  }
 };
 
+constexpr TerrainDescription kFlat = {"flat", "the plane z = 0", "flat"};
 constexpr std::array kKinds = {
-    KindWords{TerrainKind::boxes, "boxes", kHeight},
-    KindWords{TerrainKind::steps, "steps", kHeight},
-    KindWords{TerrainKind::step, "step", kSignedHeight},
+    KindWords{
+        TerrainKind::boxes,
+        {"boxes:H", "0.3 m cells at random levels from 0 to H, with vertical faces between them",
+         "boxes:10cm"},
+        kHeight},
+    KindWords{
+        TerrainKind::steps,
+        {"steps:H", "the same levels as a heightfield: 25 mm wide ramps instead of vertical faces",
+         "steps:10cm"},
+        kHeight},
+    KindWords{
+        TerrainKind::step,
+        {"step:H", "one step up to H, or down, 0.6 m ahead of where the robot starts", "step:12cm"},
+        kSignedHeight},
     KindWords{TerrainKind::stairs,
-              "stairs",
+              {"stairs:H,TREAD", "flights of 10 steps up (H < 0: down) and back; treads of 0.29 m",
+               "stairs:12cm,35cm"},
               kSignedHeight,
               {"the tread", Dimension::length, 0.05, kAny, "0.05 m or more"},
               0.29},
     KindWords{TerrainKind::ditches,
-              "ditches",
+              {"ditches:W", "ditches of width W across the way, 1 m deep, one in each 1.5 m",
+               "ditches:15cm"},
               {"the width", Dimension::length, 0.01, 0.8, "0.01 to 0.8 m"},
               {},
               0.0,
               false},
     KindWords{TerrainKind::stones,
-              "stones",
+              {"stones:EDGE,GAP", "square stepping stones, 1 m above the ground; gaps of 0.15 m",
+               "stones:25cm,8cm"},
               {"the edge", Dimension::length, 0.02, kAny, "0.02 m or more"},
               {"the gap", Dimension::length, 0.0, kAny, "0 or more"},
               0.15,
               false},
     KindWords{TerrainKind::slope,
-              "slope",
+              {"slope:ANGLE,DIRECTION", "a plane that rises ahead, or in this direction from ahead",
+               "slope:10deg,90deg"},
               {"the angle", Dimension::angle, -kSteepest, kSteepest, "-60 to 60 degrees"},
               {"the direction", Dimension::angle, -kAny, kAny, ""},
               0.0,
               false},
-    KindWords{TerrainKind::waves, "waves", kHeight, kLength, 1.5},
-    KindWords{TerrainKind::ramps, "ramps", kHeight, kLength, 1.0},
-    KindWords{TerrainKind::rubble, "rubble", kHeight},
+    KindWords{TerrainKind::waves,
+              {"waves:H,LENGTH", "sines along x and y, 0 to H; waves of 1.5 m", "waves:10cm,1m"},
+              kHeight,
+              kLength,
+              1.5},
+    KindWords{
+        TerrainKind::ramps,
+        {"ramps:H,LENGTH", "ramps up to H and down again in turn; each 1 m long", "ramps:15cm"},
+        kHeight,
+        kLength,
+        1.0},
+    KindWords{
+        TerrainKind::rubble,
+        {"rubble:H", "0.3 m cells, 0 to H, each tilted at random; 25 mm wide ramps between them",
+         "rubble:10cm"},
+        kHeight},
     KindWords{TerrainKind::ice,
-              "ice",
+              {"ice:MU", "squares of 0.6 m, half of which have the friction MU", "ice:0.1"},
               {"the friction", Dimension::number, 0.0, 10.0, "0 to 10"},
               {},
               0.0,
@@ -101,8 +135,8 @@ TerrainPart parse_part(std::string_view text, std::string_view part) {
   const std::string_view name = part.substr(0, colon);
   const auto known = std::ranges::find(kKinds, name, &KindWords::name);
   if (known == kKinds.end()) {
-    std::vector<std::string> names = {"flat"};
-    for (const KindWords& kind : kKinds) names.emplace_back(kind.name);
+    std::vector<std::string> names = {std::string(kFlat.syntax)};
+    for (const KindWords& kind : kKinds) names.emplace_back(kind.name());
     refuse(text, "unknown kind" + did_you_mean(name, names));
   }
   if (colon == std::string_view::npos) refuse(text, std::string(known->size.name) + " is missing");
@@ -149,33 +183,17 @@ double TerrainSpec::roughness() const {
 }
 
 const std::vector<TerrainDescription>& known_terrains() {
-  static const std::vector<TerrainDescription> known = {
-      {"flat", "the plane z = 0", "flat"},
-      {"boxes:H", "0.3 m cells at random levels from 0 to H, with vertical faces between them",
-       "boxes:10cm"},
-      {"steps:H", "the same levels as a heightfield: 25 mm wide ramps instead of vertical faces",
-       "steps:10cm"},
-      {"step:H", "one step up to H, or down, 0.6 m ahead of where the robot starts", "step:12cm"},
-      {"stairs:H,TREAD", "flights of 10 steps up (H < 0: down) and back; treads of 0.29 m",
-       "stairs:12cm,35cm"},
-      {"ditches:W", "ditches of width W across the way, 1 m deep, one in each 1.5 m",
-       "ditches:15cm"},
-      {"stones:EDGE,GAP", "square stepping stones, 1 m above the ground; gaps of 0.15 m",
-       "stones:25cm,8cm"},
-      {"slope:ANGLE,DIRECTION", "a plane that rises ahead, or in this direction from ahead",
-       "slope:10deg,90deg"},
-      {"waves:H,LENGTH", "sines along x and y, 0 to H; waves of 1.5 m", "waves:10cm,1m"},
-      {"ramps:H,LENGTH", "ramps up to H and down again in turn; each 1 m long", "ramps:15cm"},
-      {"rubble:H", "0.3 m cells, 0 to H, each tilted at random; 25 mm wide ramps between them",
-       "rubble:10cm"},
-      {"ice:MU", "squares of 0.6 m, half of which have the friction MU", "ice:0.1"},
-  };
+  static const std::vector<TerrainDescription> known = [] {
+    std::vector<TerrainDescription> all = {kFlat};
+    for (const KindWords& kind : kKinds) all.push_back(kind.description);
+    return all;
+  }();
   return known;
 }
 
 TerrainSpec parse_terrain(std::string_view text) {
   TerrainSpec spec;
-  if (text == "flat") return spec;
+  if (text == kFlat.syntax) return spec;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = end_of_part(text, begin);
     spec.parts.push_back(parse_part(text, text.substr(begin, end - begin)));
@@ -190,10 +208,10 @@ std::string to_string(const TerrainSpec& spec) {
     if (part.kind == TerrainKind::flat) continue;
     const KindWords& kind = words(part.kind);
     if (!text.empty()) text += '+';
-    text.append(kind.name).append(":").append(shortest(part.size));
+    text.append(kind.name()).append(":").append(shortest(part.size));
     if (part.extent != kind.usual_extent) text.append(",").append(shortest(part.extent));
   }
-  return text.empty() ? "flat" : text;
+  return text.empty() ? std::string(kFlat.syntax) : text;
 }
 
 }  // namespace hexagait::sim3d
