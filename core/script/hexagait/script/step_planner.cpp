@@ -338,14 +338,12 @@ BaseKnot StepPlanner::first_goal(const action::Step& step, const action::Step& b
   }
   const auto& automatic = *std::get_if<action::BaseAuto>(&step.base->motion);
   StanceProblem problem = feet_at_the_end(start);
+  set_stance(problem, automatic, lifted_by(step), ignored_by(step), start);
   bool stays = false;
   if (const auto* now = std::get_if<action::BaseAuto>(&before.base->motion)) {
     StanceProblem same_feet = problem;
     set_stance(same_feet, *now, lifted_from(before, &step), ignored_by(before), start);
-    set_stance(problem, automatic, lifted_by(step), ignored_by(step), start);
     stays = is_same(problem, same_feet);
-  } else {
-    set_stance(problem, automatic, lifted_by(step), ignored_by(step), start);
   }
   problem.X_OB = from.X_AB;
   const Pose X_OB = stays ? from.X_AB : params_.stance(start.model, problem).X_OB;
