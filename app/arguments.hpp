@@ -73,7 +73,4 @@ inline constexpr const char* kGenghis = "genghis2d";
 /// @throws InvalidInput  if there is none, with the names that there are
 [[nodiscard]] std::string robot_file(const std::string& robot);
 
-/// Those of all robots that come with hexagait, by name.
-[[nodiscard]] std::vector<std::string> robot_files();
-
 }  // namespace hexagait::app

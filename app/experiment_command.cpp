@@ -13,6 +13,7 @@
 #include <hexagait/urdf/urdf.hpp>
 
 #include "commands.hpp"
+#include "experiment_context.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "progress.hpp"
@@ -22,6 +23,7 @@ namespace hexagait::app {
 namespace {
 
 using experiments::Experiment;
+using experiments::ExperimentContext;
 using experiments::Manifest;
 
 std::vector<Experiment> chosen(const std::string& name) {
@@ -87,19 +89,13 @@ int experiment_command(const ExperimentArguments& arguments) {
   for (const Experiment& experiment : selection) {
     const std::string problem = write_problem([&] {
       Progress progress(1.0, Progress::Measure::share, arguments.quiet);
-      manifests.push_back(
-          run(experiment,
-              {.robot = &robot,
-               .robot_named = [](const std::string& name) { return load_urdf(robot_file(name)); },
-               .progress = [&](double share) { progress.at(share); },
-               .stop = &interrupted,
-               .short_form = arguments.short_form,
-               .titles = arguments.title != "none",
-               .jobs = jobs(arguments.jobs, cores()),
-               .count = how_many(arguments),
-               .robot_files = robot_files(),
-               .plant = plant},
-              arguments.out));
+      ExperimentContext context =
+          experiment_context(robot, progress, interrupted, arguments.short_form);
+      context.titles = arguments.title != "none";
+      context.jobs = jobs(arguments.jobs, cores());
+      context.count = how_many(arguments);
+      context.plant = plant;
+      manifests.push_back(run(experiment, context, arguments.out));
     });
     if (!problem.empty())
       throw InvalidInput(fmt::format("--out is '{}', in which the files of {} can't be written: {}",

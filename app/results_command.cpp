@@ -23,6 +23,7 @@
 #include <thread>
 
 #include "commands.hpp"
+#include "experiment_context.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "progress.hpp"
@@ -34,6 +35,7 @@ namespace {
 namespace fs = std::filesystem;
 using experiments::Check;
 using experiments::Experiment;
+using experiments::ExperimentContext;
 using experiments::Manifest;
 using experiments::Measured;
 using experiments::Verdict;
@@ -223,16 +225,10 @@ int results_command(const ResultsArguments& arguments) {
     if (!wanted(experiment.name)) continue;
     if (!arguments.quiet) fmt::print(stderr, "{}\n", experiment.title);
     Progress progress(1.0, Progress::Measure::share, arguments.quiet);
-    const Manifest manifest =
-        run(experiment,
-            {.robot = &robot,
-             .robot_named = [](const std::string& name) { return load_urdf(robot_file(name)); },
-             .progress = [&](double share) { progress.at(share); },
-             .stop = &interrupted,
-             .short_form = arguments.short_form,
-             .jobs = jobs("", cores()),
-             .robot_files = robot_files()},
-            arguments.figures);
+    ExperimentContext context =
+        experiment_context(robot, progress, interrupted, arguments.short_form);
+    context.jobs = jobs("", cores());
+    const Manifest manifest = run(experiment, context, arguments.figures);
     if (interrupted) return kInterrupted;
     well = well && manifest.is_accounted_for();
     groups.push_back({experiment.title,

@@ -75,10 +75,4 @@ std::string robot_file(const std::string& robot) {
   return shared_file("--robot", robot, "robots", ".urdf", kGenghis);
 }
 
-std::vector<std::string> robot_files() {
-  std::vector<std::string> files;
-  for (const std::string& name : known_names("robots", ".urdf")) files.push_back(robot_file(name));
-  return files;
-}
-
 }  // namespace hexagait::app

@@ -13,7 +13,8 @@ namespace hexagait::experiments {
 /// What an experiment is given.
 struct ExperimentContext {
   const RobotModel* robot = nullptr;
-  /// Of figures that show another robot: one of those that come with hexagait, by its name.
+  /// Of figures that show other robots: those that come with hexagait, by their names.
+  std::vector<std::string> robot_names = {};
   std::function<RobotModel(const std::string& name)> robot_named = {};
   std::function<void(double share)> progress;  ///< called now and then with 0 … 1
   const std::atomic<bool>* stop = nullptr;     ///< once true, the experiment ends early
@@ -21,7 +22,6 @@ struct ExperimentContext {
   bool titles = true;       ///< above the figures
   int jobs = 1;             ///< workers, where an experiment has some
   std::uint64_t count = 0;  ///< how many random robots; 0: as many as usual
-  std::vector<std::string> robot_files = {};  ///< URDF files of the robots that come with hexagait
   /// Where its files will be; what is kept there meanwhile, an experiment removes in the end.
   std::filesystem::path directory = {};
   recording::PlantSetup plant = {};  ///< of the walks; claims are made for the ideal one

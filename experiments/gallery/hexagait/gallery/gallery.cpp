@@ -5,13 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <hexagait/experiments/on_workers.hpp>
 #include <hexagait/experiments/row_journal.hpp>
 #include <hexagait/gallery/gallery.hpp>
 #include <hexagait/gallery/robot_tally.hpp>
 #include <hexagait/recording/robot_sheet.hpp>
-#include <hexagait/urdf/urdf.hpp>
 
 namespace hexagait::experiments {
 namespace {
@@ -100,9 +98,9 @@ void draw(figures::StagedFiles& files, const ExperimentContext& context,
 
 Outcome gallery(const ExperimentContext& context, figures::StagedFiles& files) {
   std::vector<GalleryRobot> robots;
-  for (const std::string& file : context.robot_files) {
-    RobotModel model = load_urdf(file);
-    model.name = std::filesystem::path(file).stem();
+  for (const std::string& name : context.robot_names) {
+    RobotModel model = context.robot_named(name);
+    model.name = name;
     robots.push_back(in_gallery(model));
     plan(robots.back(), context.short_form);
   }
