@@ -56,6 +56,13 @@ std::optional<Vector3> up(const std::string& text) {
   return Vector3(Vector3::Unit(static_cast<int>(axis)) * (text[0] == '-' ? -1.0 : 1.0));
 }
 
+double splay(const std::string& text) {
+  if (text.empty()) return 0.0;
+  const Quantity length = parse_quantity(text, Dimension::length);
+  if (!length.problem.empty()) refuse("--splay", text, "it must be a length such as 3cm or -2cm");
+  return length.value;
+}
+
 void add_foot(const std::string& text, std::map<std::string, Vector3>& feet) {
   const std::size_t equals = text.rfind('=');
   const char* right = "it must be LINK=X,Y,Z, the foot's centre in the frame of that link [m]";
@@ -102,6 +109,11 @@ void add_robot_overrides(CLI::App& command, RobotOverrides& o) {
       ->type_name("ANGLE");
   command.add_option("--scale", o.scale, "Times all lengths of the file: 0.001 for millimetres")
       ->type_name("FACTOR");
+  command
+      .add_option("--body-height", o.body_height, "Height of the body's origin above the ground")
+      ->type_name("LENGTH");
+  command.add_option("--splay", o.splay, "By how much farther out the feet stand; may be negative")
+      ->type_name("LENGTH");
   command.add_option("--package", o.packages, "Where package:// meshes are; may be repeated")
       ->type_name("DIR")
       ->allow_extra_args(false);
@@ -129,6 +141,9 @@ UrdfOptions urdf_options(const RobotOverrides& o) {
   options.scale =
       positive("--scale", o.scale, Dimension::number, "a number such as 0.001").value_or(1.0);
   options.packages = o.packages;
+  options.stance.height =
+      positive("--body-height", o.body_height, Dimension::length, "a length such as 20cm");
+  options.stance.splay = splay(o.splay);
   return options;
 }
 

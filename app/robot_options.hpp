@@ -13,7 +13,7 @@ namespace hexagait::app {
 /// that was not given.
 struct RobotOverrides {
   std::string front, up, scale, foot_radius, mass, density, joint_speed, joint_effort, joint_range;
-  std::string legs;
+  std::string legs, body_height, splay;
   std::vector<std::string> feet, packages;
 };
 

@@ -71,9 +71,9 @@ void odometry_update(benchmark::State& state) {
 BENCHMARK(odometry_update);
 
 void path_arc_of_a_heading(benchmark::State& state) {
-  const heading_control::Workspaces workspaces = heading_control::workspaces(snapshot().robot);
+  const Stance stance = nominal_stance(snapshot().robot);
   for (auto _ : state)
-    benchmark::DoNotOptimize(heading_control::path_arc(snapshot().heading, workspaces));
+    benchmark::DoNotOptimize(heading_control::path_arc(snapshot().heading, stance));
 }
 BENCHMARK(path_arc_of_a_heading);
 

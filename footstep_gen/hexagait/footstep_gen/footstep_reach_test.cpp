@@ -27,9 +27,8 @@ struct Standing {
   }
   // Turning in place, half a step of 0.1 m and so much to come; the body is at odom's origin.
   [[nodiscard]] Vector3 foothold(LegId leg, double to_come) const {
-    const heading_control::PathArc arc =
-        path_arc(Heading::spin(Turn::ccw), heading_control::workspaces(robot));
-    return footstep(robot, arc, state, leg, 0.1, to_come, {}).p_OT;
+    const heading_control::PathArc arc = path_arc(Heading::spin(Turn::ccw), nominal_stance(robot));
+    return footstep(robot, nominal_stance(robot), arc, state, leg, 0.1, to_come, {}).p_OT;
   }
 };
 

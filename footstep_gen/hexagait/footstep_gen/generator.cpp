@@ -63,37 +63,37 @@ struct Edge {
   double distance, approach;
 };
 
-// A standing robot seen along gravity: axes of odom, origin at the body's.
-struct Stance {
+// The support polygon seen along gravity: axes of odom, origin at the body's.
+struct SupportEdges {
   InlineArray<Edge, kMaxLegs> edges;
 
   [[nodiscard]] bool has_inside() const { return edges.size() > 2; }
 };
 
-Stance stance_of(const RobotModel& model, const PathArc& arc, const Executor& executor,
-                 LegSet support, const Matrix3& R_OB) {
+SupportEdges support_edges(const RobotModel& model, const PathArc& arc, const Executor& executor,
+                           LegSet support, const Matrix3& R_OB) {
   const auto [feet, p_M] = stance_from_above(model, executor, R_OB);
   const SupportPolygon polygon = support_polygon(feet, support);
 
   const Vector2 along = direction_at(arc, model.p_BM);
   const Vector2 direction = (R_OB * Vector3(along.x(), along.y(), 0.0)).head<2>();
-  Stance stance{InlineArray<Edge, kMaxLegs>(polygon.size)};
+  SupportEdges edges{InlineArray<Edge, kMaxLegs>(polygon.size)};
   for (int k = 0; k < polygon.size; ++k) {
     const auto [from, inwards] = edge_of(polygon, k);
-    stance.edges[k] = {inwards, inwards.dot(p_M - from), -inwards.dot(direction)};
+    edges.edges[k] = {inwards, inwards.dot(p_M - from), -inwards.dot(direction)};
   }
-  return stance;
+  return edges;
 }
 
 // Path, ahead (sense 1) or back (−1), until the centre of mass comes closer than `margin` to an edge
 // of the support polygon [m].
 // The body turns little within a step, so its path is taken to be straight. Two feet hold the body
 // for as long as it stays near the line between them: until it is `margin` beyond it.
-double stability_left(const Stance& stance, double margin, double sense) {
-  if (stance.edges.size() < 2) return 0.0;
-  const double least = stance.has_inside() ? margin : -margin;
+double stability_left(const SupportEdges& polygon, double margin, double sense) {
+  if (polygon.edges.size() < 2) return 0.0;
+  const double least = polygon.has_inside() ? margin : -margin;
   double left = std::numeric_limits<double>::infinity();
-  for (const Edge& edge : stance.edges)
+  for (const Edge& edge : polygon.edges)
     if (sense * edge.approach > 0.0)
       left = std::min(left, (edge.distance - least) / (sense * edge.approach));
   return std::max(0.0, left);
@@ -101,20 +101,20 @@ double stability_left(const Stance& stance, double margin, double sense) {
 
 // Displacement in the body frame that gives a centre of mass its margin back, where it has lost it:
 // braking, or because the feet under it are others now [m].
-Vector2 back_over_the_feet(const Stance& stance, const Matrix3& R_OB, double margin) {
+Vector2 back_over_the_feet(const SupportEdges& polygon, const Matrix3& R_OB, double margin) {
   Vector2 back = Vector2::Zero();
-  if (!stance.has_inside()) return back;
-  for (const Edge& edge : stance.edges)
+  if (!polygon.has_inside()) return back;
+  for (const Edge& edge : polygon.edges)
     if (edge.distance < margin) back += (margin - edge.distance) * edge.inwards;
   return R_OB.topLeftCorner<2, 2>().transpose() * back;
 }
 
 // A correction must not take a centre of mass that is at an edge farther out.
-Vector2 kept_inside(const Vector2& correction, const Stance& stance, const Matrix3& R_OB,
+Vector2 kept_inside(const Vector2& correction, const SupportEdges& polygon, const Matrix3& R_OB,
                     double margin) {
-  if (!stance.has_inside()) return correction;
+  if (!polygon.has_inside()) return correction;
   Vector2 way = R_OB.topLeftCorner<2, 2>() * correction;
-  for (const Edge& edge : stance.edges) {
+  for (const Edge& edge : polygon.edges) {
     const double out = -edge.inwards.dot(way), room = std::max(0.0, edge.distance - margin);
     if (out > room) way += (out - room) * edge.inwards;
   }
@@ -123,27 +123,30 @@ Vector2 kept_inside(const Vector2& correction, const Stance& stance, const Matri
 
 // Is a place for the foot beyond the end of a first joint that ends near the workspace? Where it turns
 // farther, footholds that are so far off are so for a moment only, while the body turns.
-bool beyond_first_joint(const LegModel& leg, const Vector3& p_BF) {
+bool beyond_first_joint(const LegModel& leg, const Vector3& p_BC, double radius,
+                        const Vector3& p_BF) {
   constexpr double kNear = 1.5;  // of the workspace radius, from its centre
   const LegSolution solution = inverse_kinematics(leg, p_BF);
   const JointLimits& limits = leg.limits[0];
   const bool at_end = solution.q[0] <= limits.lower || solution.q[0] >= limits.upper;
   if (solution.reachable || !at_end) return false;
-  LegJoints q = inverse_kinematics(leg, leg.p_BC).q;
+  LegJoints q = inverse_kinematics(leg, p_BC).q;
   q[0] = solution.q[0];
   const Vector3 end_BF = foot_position(leg, leg_trig(leg, q));
-  return (end_BF - leg.p_BC).norm() < kNear * leg.workspace_radius;
+  return (end_BF - p_BC).norm() < kNear * radius;
 }
 
 // The farthest point on the way from one to the other to which the leg's first joint turns from where
 // the body is now. The body advances under a step, but it may have to wait for the foot.
-Vector3 within_reach(const LegModel& leg, const Vector3& from_BF, const Vector3& to_BF) {
-  if (!beyond_first_joint(leg, to_BF)) return to_BF;
+Vector3 within_reach(const LegModel& leg, const Vector3& p_BC, double radius,
+                     const Vector3& to_BF) {
+  if (!beyond_first_joint(leg, p_BC, radius, to_BF)) return to_BF;
   constexpr int kHalvings = 6;
   double reached = 0.0, step = 0.5;
   for (int k = 0; k < kHalvings; ++k, step *= 0.5)
-    if (!beyond_first_joint(leg, from_BF + (reached + step) * (to_BF - from_BF))) reached += step;
-  return from_BF + reached * (to_BF - from_BF);
+    if (!beyond_first_joint(leg, p_BC, radius, p_BC + (reached + step) * (to_BF - p_BC)))
+      reached += step;
+  return p_BC + reached * (to_BF - p_BC);
 }
 
 }  // namespace
@@ -157,20 +160,19 @@ double nominal_step_time(const SwingParams& swing, const StepParams& step) noexc
   return swing.unload_time + rise + sideways + down + swing.confirm_time;
 }
 
-gait_state::GaitInput gait_input(const RobotModel& model, const PathArc& arc,
-                                 const Executor& executor, const StepParams& params,
-                                 const Pose* X_BG) noexcept {
-  const int n = model.num_legs();
+gait_state::GaitInput gait_input(const PathArc& arc, const Executor& executor,
+                                 const StepParams& params, const Pose* X_BG) noexcept {
+  const Stance& stance = executor.stance();
+  const int n = stance.p_BC.size();
   const FromBody from_body(X_BG);
   gait_state::GaitInput input{LegArray<double>(n, 0.0), LegSet(), LegSet()};
   const LegSet support = executor.support();
   for (LegId i = 0; i < n; ++i) {
-    const LegModel& leg = model.legs[i];
     const Vector3 p_GF = from_body(executor.legs()[i].p_BF);
     input.lag[i] = lag(arc, i, p_GF);
     input.airborne.set(i, !support.contains(i));
-    const double behind = arc.direction[i].dot((leg.p_BC - p_GF).head<2>());
-    input.urgent.set(i, behind > params.urgent_share * leg.workspace_radius);
+    const double behind = arc.direction[i].dot((stance.p_BC[i] - p_GF).head<2>());
+    input.urgent.set(i, behind > params.urgent_share * stance.radius[i]);
   }
   return input;
 }
@@ -185,17 +187,17 @@ double path_to_come(const PathArc& arc, const Executor& executor, double half_st
   return std::max(0.0, posture::arc_optimum(p_GF, arc.p_BC, support, arc.per_metre).advance);
 }
 
-FootstepCommand footstep(const RobotModel& model, const PathArc& arc, const RobotState& state,
-                         LegId leg, double half_step, double to_come, const StepParams& params,
-                         const Pose* X_BG) noexcept {
-  const double reach = 0.5 * model.legs[leg].workspace_radius;
+FootstepCommand footstep(const RobotModel& model, const Stance& stance, const PathArc& arc,
+                         const RobotState& state, LegId leg, double half_step, double to_come,
+                         const StepParams& params, const Pose* X_BG) noexcept {
+  const double reach = 0.5 * stance.radius[leg];
   const Vector3 aep_GF = aep(arc, leg, std::min(half_step, reach) + to_come);
   const Vector3 aep_BF = X_BG ? *X_BG * aep_GF : aep_GF;
   const double start_z = state.print_O[leg].z();
   double highest_z = start_z;
   for (const Vector3& print : state.print_O) highest_z = std::max(highest_z, print.z());
 
-  const Vector3 p_BF = within_reach(model.legs[leg], model.legs[leg].p_BC, aep_BF);
+  const Vector3 p_BF = within_reach(model.legs[leg], stance.p_BC[leg], stance.radius[leg], aep_BF);
   FootstepCommand step{leg, state.X_OB * p_BF, 0.0};
   step.p_OT.z() = start_z;
   step.profile_height =
@@ -207,22 +209,23 @@ BaseAutoCommand base_auto(const RobotModel& model, const PathArc& arc, const Exe
                           const Pose& X_OB, const PlanarTwist& deviation,
                           const StepParams& params) noexcept {
   const LegSet support = executor.support();
-  const Stance stance = stance_of(model, arc, executor, support, X_OB.R);
+  const SupportEdges polygon = support_edges(model, arc, executor, support, X_OB.R);
+  const Stance& stance = executor.stance();
   BaseAutoCommand base;
   base.adaptation = pose_adaptation;
   base.path = arc.per_metre;
-  const PlanarTwist correction{kept_inside(deviation.v, stance, X_OB.R, params.stability_margin),
+  const PlanarTwist correction{kept_inside(deviation.v, polygon, X_OB.R, params.stability_margin),
                                deviation.w};
   double share = 1.0;  // of the correction, until a standing foot leaves its workspace
-  double ahead = stability_left(stance, params.stability_margin, 1.0);
-  double back = stability_left(stance, params.stability_margin, -1.0);
+  double ahead = stability_left(polygon, params.stability_margin, 1.0);
+  double back = stability_left(polygon, params.stability_margin, -1.0);
   for (LegId i = 0; i < model.num_legs(); ++i) {
     if (!support.contains(i)) continue;
     const Vector3& p_BF = executor.legs()[i].p_BF;
-    const Vector2 offset = (p_BF - model.legs[i].p_BC).head<2>();
+    const Vector2 offset = (p_BF - stance.p_BC[i]).head<2>();
     const Vector2 corrected = correction.v + correction.w * perpendicular(p_BF.head<2>());
     const Vector2 direction = direction_at(arc, p_BF);
-    const double radius = kUsableShare * model.legs[i].workspace_radius;
+    const double radius = kUsableShare * stance.radius[i];
     const WorkspaceLeft left = workspace_left(offset, direction, radius);
     ahead = std::min(ahead, left.ahead);
     back = std::min(back, left.back);
@@ -233,7 +236,7 @@ BaseAutoCommand base_auto(const RobotModel& model, const PathArc& arc, const Exe
   base.max_advance = ahead;
   base.min_advance = -back;
   base.correction = {
-      share * correction.v + back_over_the_feet(stance, X_OB.R, params.stability_margin),
+      share * correction.v + back_over_the_feet(polygon, X_OB.R, params.stability_margin),
       share * correction.w};
   return base;
 }

@@ -17,8 +17,7 @@ namespace hexagait::footstep_gen {
 /// The input of the gait state: lag, urgency and support of each leg.
 /// @param X_BG  pose on the commanded path for which legs step, in the body frame: while a robot
 ///              crawls its body sways about its path, and its footholds must not; null: the body's
-[[nodiscard]] gait_state::GaitInput gait_input(const RobotModel& model,
-                                               const heading_control::PathArc& arc,
+[[nodiscard]] gait_state::GaitInput gait_input(const heading_control::PathArc& arc,
                                                const Executor& executor, const StepParams& params,
                                                const Pose* X_BG = nullptr) noexcept;
 
@@ -33,9 +32,10 @@ namespace hexagait::footstep_gen {
 /// for the foot.
 /// @param half_step  [m of path]
 /// @param to_come    advance of the base until the foot lands [m of path]
-[[nodiscard]] FootstepCommand footstep(const RobotModel& model, const heading_control::PathArc& arc,
-                                       const RobotState& state, LegId leg, double half_step,
-                                       double to_come, const StepParams& params,
+[[nodiscard]] FootstepCommand footstep(const RobotModel& model, const Stance& stance,
+                                       const heading_control::PathArc& arc, const RobotState& state,
+                                       LegId leg, double half_step, double to_come,
+                                       const StepParams& params,
                                        const Pose* X_BG = nullptr) noexcept;
 
 /// The motion of the base: along the path as the legs allow ([PC04] 4), parallel to the ground

@@ -56,9 +56,7 @@ struct Stance {
     executor.reset(state);
   }
 
-  PathArc arc(const Heading& heading) const {
-    return path_arc(heading, heading_control::workspaces(robot));
-  }
+  PathArc arc(const Heading& heading) const { return path_arc(heading, nominal_stance(robot)); }
   void lift(std::initializer_list<LegId> legs) {
     for (const LegId i : legs) executor.command(FootstepCommand{i, state.p_OF[i]}, state);
   }
@@ -75,14 +73,12 @@ TEST(GaitInput, SaysHowFarFeetLagAndWhichOnesMustGo) {
   offset[4].x() = 0.19;
   Stance stance(offset);
   stance.lift({5});
-  const auto input =
-      gait_input(stance.robot, stance.arc(Heading::straight(0.0)), stance.executor, {});
+  const auto input = gait_input(stance.arc(Heading::straight(0.0)), stance.executor, {});
   for (LegId i = 0; i < 6; ++i)
     EXPECT_NEAR(input.lag[i], -offset[static_cast<std::size_t>(i)].x(), 1e-12);
   EXPECT_EQ(input.urgent, LegSet(0b001000));
   EXPECT_EQ(input.airborne, LegSet(0b100000)) << "from the command to lift on";
-  const auto back =
-      gait_input(stance.robot, stance.arc(Heading::straight(kPi)), stance.executor, {});
+  const auto back = gait_input(stance.arc(Heading::straight(kPi)), stance.executor, {});
   EXPECT_EQ(back.urgent, LegSet(0b010000));
 }
 
@@ -116,7 +112,8 @@ TEST(FootstepOf, IsTheAnteriorExtremePositionTakenAlong) {
   for (const Heading& heading : {Heading::straight(0.5), Heading::arc(0.9, -0.4),
                                  Heading::spin(heading_control::Turn::cw)}) {
     const PathArc arc = stance.arc(heading);
-    const FootstepCommand step = footstep(stance.robot, arc, stance.state, 1, 0.1, 0.03, {});
+    const FootstepCommand step =
+        footstep(stance.robot, nominal_stance(stance.robot), arc, stance.state, 1, 0.1, 0.03, {});
     const PlanarPose M = exponential(arc.per_metre, 0.13);
     const Vector3& c = stance.robot.legs[1].p_BC;
     const Vector2 aep = M * Vector2(c.head<2>());
@@ -126,7 +123,8 @@ TEST(FootstepOf, IsTheAnteriorExtremePositionTakenAlong) {
     EXPECT_EQ(step.p_OT.z(), 0.07);
   }
   const PathArc arc = stance.arc(Heading::straight(0.0));
-  const FootstepCommand longest = footstep(stance.robot, arc, stance.state, 1, 9.0, 0.0, {});
+  const FootstepCommand longest =
+      footstep(stance.robot, nominal_stance(stance.robot), arc, stance.state, 1, 9.0, 0.0, {});
   const Vector3 centre = stance.state.X_OB * stance.robot.legs[1].p_BC;
   EXPECT_NEAR((longest.p_OT - centre).head<2>().norm(), 0.5 * stance.robot.legs[1].workspace_radius,
               1e-12);
@@ -139,7 +137,9 @@ TEST(FootstepOf, GoesHigherWhereAnotherFootStandsHigher) {
   const StepParams params{.height = 0.1, .roughness_gain = 0.7, .max_height = 0.22};
   const auto clearance = [&](LegId leg) {
     const PathArc arc = stance.arc(Heading::straight(0.0));
-    return footstep(stance.robot, arc, stance.state, leg, 0.1, 0.0, params).profile_height;
+    return footstep(stance.robot, nominal_stance(stance.robot), arc, stance.state, leg, 0.1, 0.0,
+                    params)
+        .profile_height;
   };
   EXPECT_NEAR(clearance(2), 0.1, 1e-12);
   const double ground = stance.state.print_O[2].z();
@@ -153,7 +153,8 @@ TEST(FootstepOf, GoesHigherWhereAnotherFootStandsHigher) {
 TEST(FootstepOf, IsTheWorkspaceCentreWhenStopped) {
   Stance stance;
   const PathArc arc = stance.arc(Heading::straight(0.5).stopped());
-  const FootstepCommand step = footstep(stance.robot, arc, stance.state, 2, 0.0, 0.0, {});
+  const FootstepCommand step =
+      footstep(stance.robot, nominal_stance(stance.robot), arc, stance.state, 2, 0.0, 0.0, {});
   EXPECT_LT((step.p_OT - stance.state.X_OB * stance.robot.legs[2].p_BC).head<2>().norm(), 1e-12);
 }
 
@@ -393,8 +394,12 @@ TEST(FootstepOf, MirrorsLeftAndRight) {
                 right = stance.arc(Heading::arc(-0.8, -0.3));
   stance.state.X_OB = Pose{};
   for (LegId i = 0; i < 6; i += 2) {
-    const Vector3 a = footstep(stance.robot, left, stance.state, i, 0.1, 0.02, {}).p_OT;
-    const Vector3 b = footstep(stance.robot, right, stance.state, i + 1, 0.1, 0.02, {}).p_OT;
+    const Vector3 a =
+        footstep(stance.robot, nominal_stance(stance.robot), left, stance.state, i, 0.1, 0.02, {})
+            .p_OT;
+    const Vector3 b = footstep(stance.robot, nominal_stance(stance.robot), right, stance.state,
+                               i + 1, 0.1, 0.02, {})
+                          .p_OT;
     EXPECT_LT((a - Vector3(b.x(), -b.y(), b.z())).head<2>().norm(), 1e-12);
   }
 }

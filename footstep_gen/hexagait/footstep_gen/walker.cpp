@@ -68,7 +68,6 @@ WalkerParams completed(WalkerParams params, const RobotModel& model) {
 Walker::Walker(const RobotModel& model, const WalkerParams& params)
     : model_(&model),
       params_(checked(completed(params, model))),
-      workspaces_(heading_control::workspaces(model)),
       estimator_(model, params_.sensors, params_.tolerance),
       tracker_(params_.tolerance.turn_arm),
       memory_(model.num_legs(), nominal_step_time(params_.executor.swing, params_.step)),
@@ -83,6 +82,13 @@ void Walker::set_stepping(const gait_state::StepperParams& stepping) {
   check_stepping(violations, stepping);
   violations.throw_if_any();
   params_.stepper = stepping;
+}
+
+void Walker::set_stance(const Stance& stance) {
+  check_stance(*model_, stance);
+  executor_.set_stance(stance);
+  record_.arc = arc_of(record_.heading);
+  tracker_.follow(record_.arc.per_metre);
 }
 
 const TickRecord& Walker::tick(PlantStatus status, const Measurement& measurement,
@@ -114,7 +120,9 @@ const TickRecord& Walker::step(PlantStatus status, const Measurement& measuremen
 void Walker::start(const Measurement& measurement) {
   StateEstimator estimator(*model_, params_.sensors, params_.tolerance);
   const RobotState state = estimator.start(measurement);  // may throw, so before anything changes
+  const Stance stance = executor_.stance();
   *this = Walker(*model_, params_);
+  executor_.set_stance(stance);
   watch_ = {};
   record_.fault = Fault::none;
   estimator_ = estimator;
@@ -126,7 +134,7 @@ void Walker::start(const Measurement& measurement) {
   record_.footsteps = LegArray<FootstepCommand>(model_->num_legs());
   tracker_.reset({0.0, Vector2::Zero()});
   record_.heading = heading_control::Heading::stop();
-  record_.arc = path_arc(record_.heading, workspaces_);
+  record_.arc = arc_of(record_.heading);
   record_.rear_edge = rear_edge(record_.arc, gait_state::hindmost_edge(model_->num_legs()));
 }
 
@@ -159,11 +167,15 @@ void Walker::estimate() noexcept {
   executor_.sense(record_.state, params_.control_dt);
 }
 
+heading_control::PathArc Walker::arc_of(const heading_control::Heading& heading) const noexcept {
+  const bool two_joints = model_->legs[0].has_two_joints();
+  return path_arc(two_joints ? without_crab(heading) : heading, executor_.stance());
+}
+
 void Walker::steer(const heading_control::Heading& heading) noexcept {
   if (!(heading == record_.heading)) {
     record_.heading = heading;
-    const bool two_joints = model_->legs[0].has_two_joints();
-    record_.arc = path_arc(two_joints ? without_crab(heading) : heading, workspaces_);
+    record_.arc = arc_of(heading);
     record_.rear_edge = rear_edge(record_.arc, record_.rear_edge);
     tracker_.follow(record_.arc.per_metre);
   }
@@ -175,7 +187,7 @@ void Walker::steer(const heading_control::Heading& heading) noexcept {
 
 void Walker::decide() noexcept {
   if (crawls()) X_BG_ = pose(record_.deviation);
-  record_.gait_input = gait_input(*model_, record_.arc, executor_, params_.step, path_pose());
+  record_.gait_input = gait_input(record_.arc, executor_, params_.step, path_pose());
   record_.gate = crawls() ? gate() : LiftGateDecision{};
   const gait_state::StepConditions conditions{
       .time = time(),
@@ -221,7 +233,7 @@ LiftGateDecision Walker::gate() noexcept {
                    .path = (R_OB * Vector3(path.x(), path.y(), 0.0)).head<2>(),
                    .margin = params_.step.lift_margin};
   for (LegId i = 0; i < n; ++i)
-    in.along[i] = record_.arc.direction[i].dot(model_->legs[i].p_BC.head<2>());
+    in.along[i] = record_.arc.direction[i].dot(stance().p_BC[i].head<2>());
   LiftGateDecision decision = gate_.update(in);
   decision.sway = R_OB.topLeftCorner<2, 2>().transpose() * decision.sway;
   return decision;
@@ -236,7 +248,7 @@ void Walker::command() noexcept {
     const bool in_air = executor_.legs()[i].phase != LegPhase::support;
     if (!in_air && !record_.lifts.contains(i)) continue;
     record_.footsteps[i] =
-        footstep(*model_, record_.arc, record_.state, i, half_step,
+        footstep(*model_, executor_.stance(), record_.arc, record_.state, i, half_step,
                  share_to_come(i) * record_.path_to_come, params_.step, path_pose());
     executor_.command(record_.footsteps[i], record_.state);
   }

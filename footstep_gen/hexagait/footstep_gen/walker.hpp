@@ -58,6 +58,13 @@ class Walker {
   /// @throws InvalidInput  if the duty factor is not from 1/2 to less than 1
   void set_stepping(const gait_state::StepperParams& stepping);
 
+  /// Changes where the feet stand best, and so the height of the body, from the next tick on: the legs
+  /// get there with their next steps, the body with its limits of speed. May be called between any two
+  /// ticks; start() keeps it.
+  /// @throws InvalidInput  if a leg can't stand so; then nothing changes
+  void set_stance(const Stance& stance);
+  [[nodiscard]] const Stance& stance() const { return executor_.stance(); }
+
   /// Stops at once until the next start(): velocities are set to 0, set points kept.
   void emergency_stop() noexcept { stop(Fault::emergency_stop); }
 
@@ -72,6 +79,8 @@ class Walker {
   void stand_by(const Measurement& measurement) noexcept;
   void estimate() noexcept;
   void steer(const heading_control::Heading& heading) noexcept;
+  [[nodiscard]] heading_control::PathArc arc_of(
+      const heading_control::Heading& heading) const noexcept;
   void decide() noexcept;
   [[nodiscard]] LegSet may_crawl() const noexcept;
   LiftGateDecision gate() noexcept;
@@ -88,7 +97,6 @@ class Walker {
 
   const RobotModel* model_;
   WalkerParams params_;
-  heading_control::Workspaces workspaces_;
   PlantWatch watch_;
   StateEstimator estimator_;
   heading_control::PathTracker tracker_;

@@ -254,7 +254,7 @@ TEST(WalkerFault, TakesAVelocityThatIsNoneAsAStop) {
   Walk walk;
   walk.walk(333);
   const heading_control::HeadingCommand command = heading_control::from_twist(
-      {{kNan, 0.1}, 0.0}, heading_control::workspaces(argos()), walk.walker.record().heading);
+      {{kNan, 0.1}, 0.0}, nominal_stance(argos()), walk.walker.record().heading);
   const TickRecord& record = walk.walker.tick(PlantStatus::fresh, walk.plant.measurement, command);
   EXPECT_EQ(record.fault, Fault::none);
   EXPECT_FALSE(record.heading.moving());

@@ -5,6 +5,7 @@
 #include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/heading_control/twist.hpp>
+#include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <limits>
 #include <testing/kinematic_plant.hpp>
@@ -227,7 +228,28 @@ constexpr double kLongestWait = 6 * 0.85;
 
 // r = cot χ: from a spin over all arcs to the left, the straight line, all arcs to the right, the
 // other spin, and backwards round to the first: every r, each twice, with o passing through the
-// workspaces of both sides' middle legs.
+// stance of both sides' middle legs.
+// While it walks: the body sinks to the height of the new stance, feet step where it has them, and no set
+// point jumps (KinematicPlant's ticks check joint speeds), and the next start keeps it.
+TEST(WalkerStance, ChangesBetweenTwoTicks) {
+  Walk walk(argos(), 0.0);
+  const double own = argos().foot_radius - argos().legs[0].p_BC.z();
+  for (int k = 0; k < 2000; ++k) walk.tick(Heading::straight(0.0));
+  EXPECT_NEAR(walk.plant.X_OB.p.z(), own, 0.01);
+
+  walk.walker.set_stance(stance_at(argos(), {.height = own - 0.06, .splay = 0.03}));
+  for (int k = 0; k < 10000; ++k) walk.tick(Heading::straight(0.0));
+  EXPECT_NEAR(walk.plant.X_OB.p.z(), own - 0.06, 0.01);
+  EXPECT_GT(walk.lifts.size(), 20u);
+
+  Stance absurd = walk.walker.stance();
+  absurd.p_BC[2].z() = -5.0;
+  EXPECT_THROW(walk.walker.set_stance(absurd), InvalidInput);
+  EXPECT_NEAR(walk.walker.stance().p_BC[2].z(), argos().foot_radius + 0.06 - own, 1e-12);
+  walk.walker.start(walk.plant.measurement);
+  EXPECT_NEAR(walk.walker.stance().p_BC[0].z(), argos().foot_radius + 0.06 - own, 1e-12);
+}
+
 TEST(WalkerGait, LetsNoLegStarveWhileTheRadiusSweepsThroughAllValues) {
   Walk walk(argos());
   walk.walk(Heading::spin(Turn::ccw), 5.0);
@@ -241,7 +263,7 @@ TEST(WalkerGait, LetsNoLegStarveWhileTheRadiusSweepsThroughAllValues) {
 }
 
 // From r = 2 m to 0.1 m, across the spin to −0.1 m, and on to −2 m: 60 s a sweep, for three crab
-// angles. The turning centre goes straight through the legs' workspaces.
+// angles. The turning centre goes straight through the legs' stance.
 TEST(WalkerGait, LetsNoLegStarveWhileTheTurningCentreCrossesTheWorkspaces) {
   for (const double alpha : {0.0, 0.5 * kPi, 2.0}) {
     Walk walk(argos());
@@ -289,7 +311,7 @@ TEST(WalkerSteering, TakesEffectInTheSameTick) {
   const PlanarTwist before = walk.walker.record().base_auto.path;
   const TickRecord& record = walk.tick(left);
   EXPECT_EQ(record.heading, left);
-  const auto arc = path_arc(left, heading_control::workspaces(argos()));
+  const auto arc = path_arc(left, nominal_stance(argos()));
   EXPECT_EQ(record.arc.per_metre.v, arc.per_metre.v);
   EXPECT_EQ(record.base_auto.path.v, arc.per_metre.v);
   EXPECT_EQ(record.base_auto.path.w, arc.per_metre.w);
@@ -363,9 +385,9 @@ TEST(WalkerSensors, AreNotNeededToWalk) {
 // A velocity command is a path and a limit of the speed along it.
 TEST(Walker, KeepsToTheSpeedOfAVelocityCommand) {
   Walk walk(argos());
-  const auto workspaces = heading_control::workspaces(argos());
+  const auto stance = nominal_stance(argos());
   const heading_control::HeadingCommand slow =
-      heading_control::from_twist({{0.1, 0.0}, 0.0}, workspaces);
+      heading_control::from_twist({{0.1, 0.0}, 0.0}, stance);
   double fastest = 0.0;
   for (int k = 0; k < 5000; ++k) {
     const TickRecord& record = walk.walker.tick(PlantStatus::fresh, walk.plant.measurement, slow);

@@ -11,8 +11,8 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kReach = 0.2;
 
-Workspaces six_legs() {
-  Workspaces w{LegArray<Vector3>(6), LegArray<double>(6, kReach)};
+Stance six_legs() {
+  Stance w{LegArray<Vector3>(6), LegArray<double>(6, kReach)};
   for (LegId leg = 0; leg < 6; ++leg)
     w.p_BC[leg] = {0.4 * (1 - leg / 2), leg % 2 == 0 ? 0.3 : -0.3, -0.25};
   return w;
@@ -78,7 +78,7 @@ TEST(Lag, IsTheAngleOfThePaperForSmallOffsets) {
 // of the centres. |lag| ≤ ρ + L (path_arc.hpp), L the distance to the farthest centre.
 TEST(Lag, IsBoundedAsTheTurningCentreSweepsThroughTheWorkspaces) {
   RandomSequence random{.seed = 3};
-  const Workspaces w = six_legs();
+  const Stance w = six_legs();
   const double L = std::hypot(0.8, 0.6);
   for (const double alpha : {0.0, std::atan2(-0.4, 0.3), kPi / 2, -2.0}) {
     for (int i = -3000; i <= 3000; ++i) {
@@ -104,7 +104,7 @@ TEST(Lag, HasAScaleOfAtMostTheRadiusRatioNearTheTurningCentre) {
 }
 
 TEST(Lag, IsZeroForALegAtTheTurningCentre) {
-  Workspaces w = six_legs();
+  Stance w = six_legs();
   w.p_BC[2] = {0.0, 0.0, -0.25};
   const PathArc arc = path_arc(Heading::spin(Turn::cw), w);
   EXPECT_EQ(lag(arc, 2, {0.1, 0.1, 0.0}), 0.0);
@@ -125,7 +125,7 @@ TEST(Lag, IsUnchangedByMirroringOrTurningTheWholeProblem) {
   for (int k = 0; k < 500; ++k) {
     const double r = (k % 2 == 0 ? 1.0 : -1.0) * std::pow(10.0, random.uniform(-2.0, 3.0));
     const double alpha = random.uniform(-kPi, kPi), beta = random.uniform(-kPi, kPi);
-    Workspaces mirrored = six_legs(), turned = six_legs();
+    Stance mirrored = six_legs(), turned = six_legs();
     for (Vector3& c : mirrored.p_BC) c = mirror * c;
     for (Vector3& c : turned.p_BC) c = rotation_z(beta) * c;
     LegArray<Vector3> p = six_legs().p_BC, p_mirrored(6), p_turned(6);

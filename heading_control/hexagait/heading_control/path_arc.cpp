@@ -6,23 +6,12 @@
 
 namespace hexagait::heading_control {
 
-Workspaces workspaces(const RobotModel& robot) noexcept {
-  Workspaces result{LegArray<Vector3>(robot.num_legs(), Vector3::Zero()),
-                    LegArray<double>(robot.num_legs())};
-  for (LegId leg = 0; leg < robot.num_legs(); ++leg) {
-    result.p_BC[leg] = robot.legs[leg].p_BC;
-    result.radius[leg] = robot.legs[leg].workspace_radius;
-  }
-  return result;
-}
-
-PathArc path_arc(const Heading& heading, const Workspaces& workspaces) noexcept {
-  const int n = workspaces.p_BC.size();
+PathArc path_arc(const Heading& heading, const Stance& stance) noexcept {
+  const int n = stance.p_BC.size();
   const double k = heading.k(), rho = heading.rho(), alpha = heading.crab_angle();
   const PlanarTwist unit{rho * unit_vector(alpha), k};
   PathArc arc{
-      heading, workspaces.p_BC, unit, LegArray<Vector2>(n, Vector2::Zero()), LegArray<double>(n),
-      0};
+      heading, stance.p_BC, unit, LegArray<Vector2>(n, Vector2::Zero()), LegArray<double>(n), 0};
 
   // |velocity at cᵢ| = |k cᵢ − ρ u|; the greatest is the unit of path.
   LegArray<double> speed(n);
@@ -39,7 +28,7 @@ PathArc path_arc(const Heading& heading, const Workspaces& workspaces) noexcept 
   for (LegId leg = 0; leg < n; ++leg) {
     if (speed[leg] == 0.0) continue;
     arc.direction[leg] /= speed[leg];
-    arc.lag_scale[leg] = m / std::max(speed[leg], std::abs(k) * workspaces.radius[leg]);
+    arc.lag_scale[leg] = m / std::max(speed[leg], std::abs(k) * stance.radius[leg]);
   }
   return arc;
 }

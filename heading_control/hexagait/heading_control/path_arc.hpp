@@ -5,17 +5,9 @@
 #include <hexagait/heading_control/heading.hpp>
 #include <hexagait/math/leg.hpp>
 #include <hexagait/math/planar.hpp>
-#include <hexagait/model/robot_model.hpp>
+#include <hexagait/model/stance.hpp>
 
 namespace hexagait::heading_control {
-
-/// The workspaces of a robot's legs. At least two centres differ.
-struct Workspaces {
-  LegArray<Vector3> p_BC;   ///< workspace centres in the body frame [m]
-  LegArray<double> radius;  ///< of the horizontal discs about them [m]
-};
-
-[[nodiscard]] Workspaces workspaces(const RobotModel& robot) noexcept;
 
 /// The path of a heading for a given robot, with a measure of length along it.
 ///
@@ -38,8 +30,8 @@ struct PathArc {
   LegId farthest = 0;           ///< the leg at whose centre path length is measured
 };
 
-/// The path of `heading` for a robot with these workspaces. A stopped heading has a path too.
-[[nodiscard]] PathArc path_arc(const Heading& heading, const Workspaces& workspaces) noexcept;
+/// The path of `heading` for a robot in this stance. A stopped heading has a path too.
+[[nodiscard]] PathArc path_arc(const Heading& heading, const Stance& stance) noexcept;
 
 /// M(s), the displacement of the body along the arc by s [m], in the body frame. As the body
 /// advances by s, whatever stands on the ground moves by M(−s) in the body frame.

@@ -15,8 +15,8 @@ constexpr double kRounding = 1e-15;
 
 // Corners at (±0.4, ±0.3): the centres' greatest distance ℓ from the origin is 0.5 m.
 constexpr double kL = 0.5;
-Workspaces six_legs() {
-  Workspaces w{LegArray<Vector3>(6), LegArray<double>(6, 0.2)};
+Stance six_legs() {
+  Stance w{LegArray<Vector3>(6), LegArray<double>(6, 0.2)};
   for (LegId leg = 0; leg < 6; ++leg)
     w.p_BC[leg] = {0.4 * (1 - leg / 2), leg % 2 == 0 ? 0.3 : -0.3, -0.25};
   return w;

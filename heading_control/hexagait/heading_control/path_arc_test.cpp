@@ -11,15 +11,15 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 // Six legs, two by two: x = 0.4, 0, −0.4; y = ±0.3.
-Workspaces six_legs() {
-  Workspaces w{LegArray<Vector3>(6), LegArray<double>(6, 0.2)};
+Stance six_legs() {
+  Stance w{LegArray<Vector3>(6), LegArray<double>(6, 0.2)};
   for (LegId leg = 0; leg < 6; ++leg)
     w.p_BC[leg] = {0.4 * (1 - leg / 2), leg % 2 == 0 ? 0.3 : -0.3, -0.25};
   return w;
 }
 
-Workspaces random_workspaces(RandomSequence& random, int n) {
-  Workspaces w{LegArray<Vector3>(n), LegArray<double>(n)};
+Stance random_stance(RandomSequence& random, int n) {
+  Stance w{LegArray<Vector3>(n), LegArray<double>(n)};
   for (LegId leg = 0; leg < n; ++leg) {
     w.p_BC[leg] = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 0)};
     w.radius[leg] = random.uniform(0.05, 0.3);
@@ -73,7 +73,7 @@ TEST(PathArc, MeasuresAtTheFarthestCentre) {
 TEST(PathArc, NoWorkspaceCentreGoesFartherThanThePath) {
   RandomSequence random{.seed = 2};
   for (int k = 0; k < 50; ++k) {
-    const Workspaces w = random_workspaces(random, 4 + 2 * (k % 5));
+    const Stance w = random_stance(random, 4 + 2 * (k % 5));
     const PathArc arc = path_arc(Heading::arc(random_radius(random), random.uniform(-4, 4)), w);
     const double s = 0.3, step = s / 500, gamma = arc.per_metre.w * step;
     for (LegId leg = 0; leg < w.p_BC.size(); ++leg) {
@@ -138,7 +138,7 @@ Matrix4l Ty(long double y) {
 TEST(Displacement, IsThePrintedProductOfTurnsAndShifts) {
   RandomSequence random{.seed = 3};
   for (int k = 0; k < 1000; ++k) {
-    const Workspaces w = random_workspaces(random, 6);
+    const Stance w = random_stance(random, 6);
     const double r = random_radius(random), alpha = random.uniform(-kPi, kPi);
     const PathArc arc = path_arc(Heading::arc(r, alpha), w);
     const double s = random.uniform(-0.5, 0.5);
@@ -182,11 +182,11 @@ TEST(DirectionAt, IsTheRateOfAdvance) {
 
 struct Problem {
   double r, alpha, s;
-  Workspaces w;
+  Stance w;
 };
 
 Problem random_problem(RandomSequence& random) {
-  const Workspaces w = random_workspaces(random, 6);
+  const Stance w = random_stance(random, 6);
   const double r = random_radius(random), alpha = random.uniform(-kPi, kPi);
   return {r, alpha, random.uniform(-0.4, 0.4), w};
 }
@@ -197,7 +197,7 @@ TEST(Aep, TurnsWithTheWholeProblem) {
   for (int k = 0; k < 500; ++k) {
     const Problem q = random_problem(random);
     const Matrix3 R = rotation_z(random.uniform(-kPi, kPi));
-    Workspaces turned = q.w;
+    Stance turned = q.w;
     for (Vector3& c : turned.p_BC) c = R * c;
     const double beta = std::atan2(R(1, 0), R(0, 0));
     const PathArc a = path_arc(Heading::arc(q.r, q.alpha), q.w);
@@ -212,7 +212,7 @@ TEST(Aep, IsMirroredWithTheWholeProblem) {
   RandomSequence random{.seed = 7};
   for (int k = 0; k < 500; ++k) {
     const Problem q = random_problem(random);
-    Workspaces mirrored = q.w;
+    Stance mirrored = q.w;
     for (Vector3& c : mirrored.p_BC) c = mirror * c;
     const PathArc a = path_arc(Heading::arc(q.r, q.alpha), q.w);
     const PathArc b = path_arc(Heading::arc(-q.r, -q.alpha), mirrored);
@@ -227,24 +227,13 @@ TEST(Aep, ScalesWithTheWholeProblem) {
   for (int k = 0; k < 500; ++k) {
     const Problem q = random_problem(random);
     const double scale = std::pow(10.0, random.uniform(-2.0, 2.0));
-    Workspaces scaled = q.w;
+    Stance scaled = q.w;
     for (Vector3& c : scaled.p_BC) c *= scale;
     const PathArc a = path_arc(Heading::arc(q.r, q.alpha), q.w);
     const PathArc b = path_arc(Heading::arc(scale * q.r, q.alpha), scaled);
     for (LegId leg = 0; leg < 6; ++leg)
       expect_near(aep(b, leg, scale * q.s) / scale, aep(a, leg, q.s), 1e-14);
   }
-}
-
-TEST(Workspaces, AreThoseOfTheRobot) {
-  RobotModel robot;
-  robot.legs = LegArray<LegModel>(4);
-  robot.legs[2].p_BC = {0.1, 0.2, -0.3};
-  robot.legs[2].workspace_radius = 0.07;
-  const Workspaces w = workspaces(robot);
-  EXPECT_EQ(w.p_BC.size(), 4);
-  expect_near(w.p_BC[2], {0.1, 0.2, -0.3}, 0.0);
-  EXPECT_EQ(w.radius[2], 0.07);
 }
 
 }  // namespace

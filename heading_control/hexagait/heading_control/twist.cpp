@@ -5,12 +5,12 @@
 
 namespace hexagait::heading_control {
 
-HeadingCommand from_twist(const PlanarTwist& twist, const Workspaces& workspaces,
+HeadingCommand from_twist(const PlanarTwist& twist, const Stance& stance,
                           const Heading& last) noexcept {
   const Heading heading = Heading::along(twist.v, twist.w);
   if (!heading.moving()) return {last.stopped(), 0.0};
   double speed = 0.0;
-  for (const Vector3& c : workspaces.p_BC)
+  for (const Vector3& c : stance.p_BC)
     speed = std::max(speed, (twist.v + twist.w * perpendicular(c.head<2>())).norm());
   return {heading, speed};
 }

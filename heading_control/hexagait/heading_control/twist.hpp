@@ -21,7 +21,7 @@ struct HeadingCommand {
 /// @param twist  [m/s], [rad/s]
 /// @param last   the previous heading, whose path a stop keeps
 /// @returns `last` stopped, with speed limit 0, if the twist is zero or not finite
-[[nodiscard]] HeadingCommand from_twist(const PlanarTwist& twist, const Workspaces& workspaces,
+[[nodiscard]] HeadingCommand from_twist(const PlanarTwist& twist, const Stance& stance,
                                         const Heading& last = Heading::stop()) noexcept;
 
 /// The velocity of a body that follows the arc at `path_speed` [m/s of path]; zero if stopped.

@@ -14,8 +14,8 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // Not symmetric front to rear, so that the sense of a turn shows in the speed: corners at x = 0.5,
 // −0.3.
-Workspaces six_legs() {
-  Workspaces w{LegArray<Vector3>(6), LegArray<double>(6, 0.2)};
+Stance six_legs() {
+  Stance w{LegArray<Vector3>(6), LegArray<double>(6, 0.2)};
   for (LegId leg = 0; leg < 6; ++leg)
     w.p_BC[leg] = {0.5 - 0.4 * (leg / 2), leg % 2 == 0 ? 0.3 : -0.3, -0.25};
   return w;

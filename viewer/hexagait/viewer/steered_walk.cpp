@@ -118,7 +118,7 @@ PlanarPose SteeredWalk::place() const { return in_plane(world_.truth().X_WB); }
 
 heading_control::HeadingCommand SteeredWalk::command_of(
     const PlanarTwist& twist, const heading_control::Heading& last) const {
-  return heading_control::from_twist(twist, heading_control::workspaces(robot_), last);
+  return heading_control::from_twist(twist, nominal_stance(robot_), last);
 }
 
 Vector3 SteeredWalk::centre_of_mass() const {

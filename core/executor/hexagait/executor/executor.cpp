@@ -36,6 +36,7 @@ ExecutorParams completed(ExecutorParams params, const RobotModel& model) {
 Executor::Executor(const RobotModel& model, const ExecutorParams& params)
     : model_(&model),
       params_(completed(params, model)),
+      stance_(nominal_stance(model)),
       legs_(model.num_legs()),
       trig_(model.num_legs()),
       last_change_(model.num_legs(), LegJoints::Zero()),
@@ -52,7 +53,9 @@ Executor::Executor(const RobotModel& model, const ExecutorParams& params)
 
 void Executor::reset(const RobotState& state, RestsOn rests_on) {
   const int foot_knots = foot_knots_, joint_knots = joint_knots_, base_knots = base_knots_;
+  const Stance stance = stance_;
   *this = Executor(*model_, params_);
+  stance_ = stance;
   reserve(foot_knots, joint_knots, base_knots);
   for (LegId i = 0; i < legs_.size(); ++i) {
     if (rests_on == RestsOn::belly) {
@@ -335,7 +338,7 @@ PoseAdaptationInput Executor::pose_adaptation_input(const RobotState& state) con
   const Pose X_BO = state.X_OB.inverse();
   for (LegId i = 0; i < n; ++i) {
     input.p_BF[i] = legs_[i].p_BF;
-    input.p_BC[i] = model_->legs[i].p_BC;
+    input.p_BC[i] = stance_.p_BC[i];
     input.footprint_BF[i] = X_BO * state.print_O[i];
     // A foot below its last footprint still has no ground: lower the body towards it.
     if (legs_[i].phase == LegPhase::descend)

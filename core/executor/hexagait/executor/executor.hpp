@@ -9,6 +9,7 @@
 #include <hexagait/executor/lag_watch.hpp>
 #include <hexagait/executor/leg_lane.hpp>
 #include <hexagait/params/params_for.hpp>
+#include <hexagait/model/stance.hpp>
 #include <hexagait/plant/plant.hpp>
 #include <hexagait/plant/robot_state.hpp>
 
@@ -72,6 +73,12 @@ class Executor {
                double begin = 0.0) noexcept;
   void command(const BasePlan& plan, double begin = 0.0) noexcept;
   void reserve(int foot_knots, int joint_knots, int base_knots);
+
+  /// Where the feet stand best from now on; until then, and after construction, that of the model.
+  /// reset() keeps it.
+  /// @pre check_stance() accepts it
+  void set_stance(const Stance& stance) noexcept { stance_ = stance; }
+  [[nodiscard]] const Stance& stance() const { return stance_; }
 
   /// Rate of the plans' time: 1 as planned, 0 paused.
   void set_rate(double rate) noexcept { rate_ = rate; }
@@ -163,6 +170,7 @@ class Executor {
 
   const RobotModel* model_;
   ExecutorParams params_;
+  Stance stance_;
   LegArray<LegLane> legs_;
   LegArray<LegTrig> trig_;           ///< of the joint targets
   LegArray<LegJoints> last_change_;  ///< of the joint targets in the last tick [rad]

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/model/leg_weight.hpp>
+#include <hexagait/model/stance.hpp>
 #include <hexagait/model/workspace.hpp>
 #include <hexagait/params/best_stance.hpp>
 #include <hexagait/text/violations.hpp>
@@ -23,17 +24,6 @@ bool place(LegModel& leg, double out, double down) {
   leg.q_nominal = solution.q;
   leg.workspace_radius = reachable_radius(leg);
   return leg.workspace_radius > 0.0;
-}
-
-void weigh(RobotModel& robot) {
-  Vector3 moment_B = robot.base.mass * robot.base.p_LM;
-  for (const LegModel& leg : robot.legs) {
-    const LegJoints q = inverse_kinematics(leg, leg.p_BC).q;
-    for (int k = 0; k < leg.num_joints(); ++k)
-      moment_B += leg.links[k].mass * (link_pose(leg, k, q) * leg.links[k].p_LM);
-  }
-  robot.p_BM = moment_B / robot.mass;
-  robot.inertia_M_B = nominal_inertia(robot);
 }
 
 // The speed of walking grows with it; 0 if the joints can't carry the robot.

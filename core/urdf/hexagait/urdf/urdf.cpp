@@ -12,6 +12,7 @@
 #include <hexagait/urdf/detail/leg_recognition.hpp>
 #include <hexagait/urdf/detail/leg_stance.hpp>
 #include <hexagait/urdf/detail/masses.hpp>
+#include <hexagait/urdf/detail/rounded.hpp>
 #include <hexagait/urdf/detail/selection.hpp>
 #include <hexagait/urdf/detail/settled_feet.hpp>
 #include <hexagait/urdf/detail/xml_size.hpp>
@@ -199,19 +200,22 @@ void report_meshes(Recognition& r) {
                                "what else the file says of the link", "--package"});
 }
 
-/// Mass and centre of mass in the nominal stance.
-void sum_masses(RobotModel& robot) {
-  Vector3 moment_B = robot.base.mass * robot.base.p_LM;
-  robot.mass = robot.base.mass;
-  for (const LegModel& leg : robot.legs) {
-    const LegJoints q = inverse_kinematics(leg, leg.p_BC).q;
-    for (int i = 0; i < leg.num_joints(); ++i) {
-      const LinkModel& link = leg.links[i];
-      robot.mass += link.mass;
-      moment_B += link.mass * (link_pose(leg, i, q) * link.p_LM);
-    }
-  }
-  robot.p_BM = moment_B / robot.mass;
+double total_mass(const RobotModel& robot) {
+  double mass = robot.base.mass;
+  for (const LegModel& leg : robot.legs)
+    for (const LinkModel& link : leg.links) mass += link.mass;
+  return mass;
+}
+
+/// The stance that the options ask for.
+RobotModel in_requested_stance(RobotModel robot, const UrdfOptions& options) {
+  if (options.stance == StanceRequest{}) return robot;
+  robot = in_stance(robot, stance_at(robot, options.stance));
+  robot.substitutions.push_back({Origin::given, "robot", 0, "stance", "that of the model",
+                                 "body " + metres(robot.foot_radius - robot.legs[0].p_BC.z()) +
+                                     " high, splay " + metres(options.stance.splay),
+                                 "--body-height, --splay"});
+  return robot;
 }
 
 /// From the file to the tree of its legs, in the body frame, with whatever it lacks.
@@ -267,11 +271,11 @@ RobotModel parse_urdf(const std::string& xml, const std::string& source,
   r.violations.throw_if_any();
   robot.foot_radius = tree.chains.front().foot->radius;
   robot.base = std::move(tree.base);
-  sum_masses(robot);
-  robot.inertia_M_B = nominal_inertia(robot);
+  robot.mass = total_mass(robot);
+  weigh(robot);
   report_meshes(r);
   robot.substitutions = std::move(r.substitutions);
-  return in_best_stance(robot);
+  return in_requested_stance(in_best_stance(robot), options);
 }
 
 }  // namespace hexagait

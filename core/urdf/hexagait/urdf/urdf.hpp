@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/model/robot_model.hpp>
+#include <hexagait/model/stance.hpp>
 #include <map>
 #include <optional>
 #include <string>
@@ -26,7 +26,8 @@ struct UrdfOptions {
   std::optional<double> joint_effort = {};  ///< --joint-effort: where it is substituted [N m]
   std::optional<double> joint_range = {};   ///< --joint-range: ± where limits are missing [rad]
   std::vector<std::string> packages =
-      {};  ///< --package: directories in which package:// is looked for
+      {};                     ///< --package: directories in which package:// is looked for
+  StanceRequest stance = {};  ///< --body-height, --splay: a stance other than the best one
 };
 
 /// Loads a robot from a URDF file. What is a leg, where the front is and where the feet are is found

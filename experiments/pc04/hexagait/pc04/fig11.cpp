@@ -17,11 +17,11 @@ constexpr double kSeconds = 90.0, kPeriod = 6.0;  // of the walk, and between co
 
 // Angle by which the body's direction of motion changes at once; of a turn in place there is none.
 double sharpest_change(const walk::Schedule& schedule, const RobotModel& robot) {
-  const auto workspaces = heading_control::workspaces(robot);
+  const auto stance = nominal_stance(robot);
   double sharpest = 0.0;
   for (std::size_t k = 1; k < schedule.size(); ++k) {
-    const Vector2 before = path_arc(schedule[k - 1].heading, workspaces).per_metre.v,
-                  after = path_arc(schedule[k].heading, workspaces).per_metre.v;
+    const Vector2 before = path_arc(schedule[k - 1].heading, stance).per_metre.v,
+                  after = path_arc(schedule[k].heading, stance).per_metre.v;
     if (before.norm() * after.norm() > 0.0)
       sharpest =
           std::max(sharpest, std::abs(portable::atan2(cross(before, after), before.dot(after))));

@@ -16,18 +16,18 @@ using heading_control::Turn;
 
 constexpr double kPi = std::numbers::pi;
 
-const heading_control::Workspaces& workspaces_of(int n) {
+const Stance& stance_of(int n) {
   static const auto all = [] {
-    std::vector<heading_control::Workspaces> robots(kMaxLegs + 1);
+    std::vector<Stance> robots(kMaxLegs + 1);
     for (std::size_t legs = 4; legs <= kMaxLegs; legs += 2)
-      robots[legs] = heading_control::workspaces(testing::robot_of(static_cast<int>(legs)));
+      robots[legs] = nominal_stance(testing::robot_of(static_cast<int>(legs)));
     return robots;
   }();
   return all[static_cast<std::size_t>(n)];
 }
 
 int edge_for(const Heading& heading, int n, int present) {
-  return rear_edge(path_arc(heading, workspaces_of(n)), present);
+  return rear_edge(path_arc(heading, stance_of(n)), present);
 }
 
 LegSet pair_at(int edge, int n) {
