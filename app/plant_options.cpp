@@ -35,6 +35,10 @@ const char* type_name(PlantUnit unit) {
       return "TORQUE";
     case PlantUnit::inertia:
       return "INERTIA";
+    case PlantUnit::acceleration:
+      return "ACCELERATION";
+    case PlantUnit::angular_rate:
+      return "RATE";
   }
   return "";
 }

@@ -350,7 +350,10 @@ Least move_base(Stance& stance, const PathArc& arc, const PlanarTwist& off, doub
     const Twist V = stance.executor.base().twist();
     state.X_OB = state.X_OB * Pose{rotation(V.w * dt), dt * V.v + 0.5 * dt * dt * V.w.cross(V.v)};
     for (LegId i = 0; i < 6; ++i) {
-      if (!stance.executor.legs()[i].on_ground()) continue;
+      if (!stance.executor.legs()[i].on_ground()) {
+        state.p_BF[i] = stance.executor.legs()[i].p_BF;
+        continue;
+      }
       state.p_BF[i] = state.X_OB.inverse() * state.p_OF[i];
       if (!inverse_kinematics(stance.robot.legs[i], state.p_BF[i]).reachable)
         least.in_reach = false;

@@ -32,6 +32,10 @@ PlantSetup real_plant() {
   setup.faults.contact_bounce = 0.004;
   setup.faults.sensing_delay = 0.002;
   setup.faults.command_delay = 0.004;
+  setup.faults.acceleration_noise = 0.05;
+  setup.faults.acceleration_bias = 0.1;
+  setup.faults.rate_noise = 0.005;
+  setup.faults.rate_bias = 0.01;
   return setup;
 }
 
@@ -55,12 +59,17 @@ UnitWords words(PlantUnit unit) {
       return {"Nm", "_n_m", "a torque", "such as 2 or 2Nm"};
     case PlantUnit::inertia:
       return {"kgm2", "_kg_m2", "an inertia", "such as 0.1 or 0.1kgm2"};
+    case PlantUnit::acceleration:
+      return {"m/s2", "_m_s2", "an acceleration", "such as 0.05 or 0.05m/s2"};
+    case PlantUnit::angular_rate:
+      return {"", "_rad_s", "an angular rate", "such as 0.01 or 0.5deg/s"};
   }
   return {};
 }
 
 Dimension dimension(PlantUnit unit) {
   if (unit == PlantUnit::angle) return Dimension::angle;
+  if (unit == PlantUnit::angular_rate) return Dimension::angular_rate;
   return unit == PlantUnit::time ? Dimension::time : Dimension::number;
 }
 
@@ -141,6 +150,11 @@ std::span<const PlantSwitch> plant_switches() {
        "Drives keep to the velocity limits of the model, as motors do",
        &sim3d::WorldParams::velocity_limits,
        nullptr},
+      {"imu",
+       {"off", "on"},
+       "The robot has an inertial measurement unit: it knows where up is",
+       &sim3d::WorldParams::imu,
+       nullptr},
       {"servo",
        {"ideal", "position_only"},
        "What servos take: position_only is without velocities and efforts fed forward",
@@ -172,7 +186,9 @@ const std::vector<PlantPreset>& plant_presets() {
       {"ideal", "nothing is wrong with it; friction 0.9", PlantSetup{}},
       {"real",
        "12-bit angles with noise of 0.5 mrad, contacts that rattle for 4 ms, 2 ms of delay of "
-       "sensing and 4 ms of commands, friction 0.6, masses off by 10 %",
+       "sensing and 4 ms of commands, friction 0.6, masses off by 10 %; of an inertial measurement "
+       "unit, if there is one, noise of 0.05 m/s² and 0.005 rad/s, biases of 0.1 m/s² and 0.01 "
+       "rad/s",
        real_plant()}};
   return all;
 }

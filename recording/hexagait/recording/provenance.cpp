@@ -92,6 +92,7 @@ Parameters parameters(const footstep_gen::WalkerParams& params) {
                     {"step.urgent_share", step.urgent_share},
                     {"swing.clearance_share", swing.clearance_share},
                     {"swing.max_retreats", swing.max_retreats},
+                    {"swing.max_bounces", swing.max_bounces},
                     {"swing.reflexes", swing.reflexes}};
   for (const char* prefix : {"step.", "swing.", "base.", "gait.", "tolerance."})
     append(all, "", parameters(robot, prefix));

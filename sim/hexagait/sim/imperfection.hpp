@@ -11,13 +11,15 @@ namespace hexagait {
 
 /// What a number of a plant measures, and so the units in which it may be written.
 enum class PlantUnit : std::uint8_t {
-  number,   ///< such as a coefficient of friction
-  share,    ///< a probability or a fraction
-  angle,    ///< [rad]
-  time,     ///< [s]
-  force,    ///< [N]
-  torque,   ///< [N m]
-  inertia,  ///< [kg m²]
+  number,        ///< such as a coefficient of friction
+  share,         ///< a probability or a fraction
+  angle,         ///< [rad]
+  time,          ///< [s]
+  force,         ///< [N]
+  torque,        ///< [N m]
+  inertia,       ///< [kg m²]
+  acceleration,  ///< [m/s²]
+  angular_rate,  ///< [rad/s]
 };
 
 /// "rad"; "1" for numbers and shares.
@@ -36,6 +38,10 @@ enum class PlantUnit : std::uint8_t {
       return "N m";
     case PlantUnit::inertia:
       return "kg m²";
+    case PlantUnit::acceleration:
+      return "m/s²";
+    case PlantUnit::angular_rate:
+      return "rad/s";
   }
   return "?";
 }

@@ -102,12 +102,16 @@ class World::Impl {
       num_joints_[leg] = model.legs[leg].num_joints();
     truth_.feet = LegArray<FootTruth>(model.num_legs());
     record_motion();
+    up_ = {0.0, 0.0, params.gravity};
+    acceleration_B_ = truth_.X_WB.R.transpose() * up_;
   }
 
   PlantStatus read(Measurement& measurement) const {
     measurement.time = truth_.time;
     measurement.q = robot_.servos().q();
     measurement.contact = felt_;
+    measurement.imu = {};
+    if (params_.imu) measurement.imu = {acceleration_B_, truth_.V_WB.w};
     return truth_.finite ? PlantStatus::fresh : PlantStatus::closed;
   }
 
@@ -115,8 +119,10 @@ class World::Impl {
     if (!all_finite(targets, num_joints_)) truth_.finite = false;
     robot_.servos().set_targets(targets);
     felt_ = LegArray<bool>(felt_.size(), false);
+    const Vector3 v_W = truth_.X_WB.R * truth_.V_WB.v;
     for (int k = 0; k < physics_steps_ && truth_.finite; ++k)
       step((physics_steps_ - k) * params_.physics_dt);
+    feel_acceleration(v_W);
   }
 
   void push(const Vector3& force_W, double seconds) {
@@ -144,6 +150,13 @@ class World::Impl {
     feel_contacts();
   }
 
+  // @param v_W  velocity a control period ago [m/s]
+  void feel_acceleration(const Vector3& v_W) {
+    const Matrix3& R_WB = truth_.X_WB.R;
+    const Vector3 change_W = R_WB * truth_.V_WB.v - v_W;
+    acceleration_B_ = R_WB.transpose() * (change_W / params_.control_dt + up_);
+  }
+
   void record_motion() {
     truth_.X_WB = robot_.X_WB();
     truth_.V_WB = robot_.V_WB();
@@ -165,7 +178,8 @@ class World::Impl {
   detail::Contacts contacts_;
   detail::Robot robot_;
   LegArray<int> num_joints_;
-  LegArray<bool> felt_;             // contact in any step of the control period
+  LegArray<bool> felt_;          // contact in any step of the control period
+  Vector3 up_, acceleration_B_;  // minus gravity; what the inertial measurement unit feels [m/s²]
   Vector3 push_ = Vector3::Zero();  // on the base [N]
   long push_steps_ = 0;             // remaining
   GroundTruth truth_;

@@ -61,6 +61,10 @@ struct WorldParams : PlantParams {
   /// (of `seed`). The controller's model does not.
   double mass_error = 0.0;
 
+  /// The robot has an inertial measurement unit at the body's origin. It feels the mean acceleration over a
+  /// control period, and the rate at its end.
+  bool imu = false;
+
   /// Coefficient μ of Coulomb friction between robot and ground; a pyramid: at most μ · normal
   /// force in each of two directions along the ground.
   double friction = 0.9;

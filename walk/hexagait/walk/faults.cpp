@@ -41,6 +41,14 @@ std::span<const Imperfection<PlantFaults>> imperfections() {
        "Time from measuring to the controller"},
       {"command_delay", &F::command_delay, PlantUnit::time, 0.0, 1.0,
        "Time from the controller to the servos"},
+      {"acceleration_noise", &F::acceleration_noise, PlantUnit::acceleration, 0.0, 10.0,
+       "Noise of the inertial measurement unit's accelerometer, standard deviation"},
+      {"acceleration_bias", &F::acceleration_bias, PlantUnit::acceleration, 0.0, 5.0,
+       "Every axis of the accelerometer is off by this, up or down"},
+      {"rate_noise", &F::rate_noise, PlantUnit::angular_rate, 0.0, 10.0,
+       "Noise of the inertial measurement unit's gyroscope, standard deviation"},
+      {"rate_bias", &F::rate_bias, PlantUnit::angular_rate, 0.0, 1.0,
+       "Every axis of the gyroscope is off by this, up or down"},
       {"late_ticks", &F::late_ticks, PlantUnit::share, 0.0, 1.0,
        "Probability that a tick gets no measurement, and its targets are lost"}};
   return kAll;
@@ -70,6 +78,11 @@ FaultyPlant::FaultyPlant(Plant& plant, const RobotModel& robot, const PlantFault
     for (int k = 0; k < num_joints_[leg]; ++k)
       zero_errors_[leg][k] = faults.joint_zero_error * (draw(Draw::zero, leg, k) < 0.5 ? -1 : 1);
   }
+  for (int k = 0; k < 3; ++k) {
+    imu_bias_.acceleration[k] =
+        draw(Draw::bias, 0, k) < 0.5 ? -faults.acceleration_bias : faults.acceleration_bias;
+    imu_bias_.rate[k] = draw(Draw::bias, 1, k) < 0.5 ? -faults.rate_bias : faults.rate_bias;
+  }
 }
 
 // Uniform in [0, 1): a function of the arguments, the seed and the measurement's number.
@@ -98,6 +111,7 @@ PlantStatus FaultyPlant::read(Measurement& measurement) {
 
   measurement = delayed(now.time);
   misread(measurement.q);
+  if (measurement.imu) misread(*measurement.imu);
   return PlantStatus::fresh;
 }
 
@@ -138,23 +152,36 @@ Measurement FaultyPlant::delayed(double time) const {
   if (sensing_.rest == 0.0) return measurement;
   const Measurement& before = sensed_.at(sensing_.whole + 1);
   measurement.contact = before.contact;
+  measurement.imu = before.imu;
   for (LegId leg = 0; leg < measurement.q.size(); ++leg)
     measurement.q[leg] += sensing_.rest * (before.q[leg] - measurement.q[leg]);
   return measurement;
 }
 
-// The sum of four uniform numbers, less its mean, has the variance 4/12.
+// Of standard deviation 1. The sum of four uniform numbers, less its mean, has the variance 4/12.
+double FaultyPlant::noise(Draw what, LegId leg, int joint) const {
+  double sum = -2.0;
+  for (int i = 0; i < 4; ++i) sum += draw(what, leg, joint, i);
+  return kSqrt3 * sum;
+}
+
+void FaultyPlant::misread(InertialMeasurement& imu) const {
+  imu.acceleration += imu_bias_.acceleration;
+  imu.rate += imu_bias_.rate;
+  for (int k = 0; k < 3; ++k) {
+    if (faults_.acceleration_noise > 0.0)
+      imu.acceleration[k] += faults_.acceleration_noise * noise(Draw::imu, 0, k);
+    if (faults_.rate_noise > 0.0) imu.rate[k] += faults_.rate_noise * noise(Draw::imu, 1, k);
+  }
+}
+
 void FaultyPlant::misread(LegArray<LegJoints>& q) const {
   const double step = faults_.joint_quantisation;
   for (LegId leg = 0; leg < num_joints_.size(); ++leg)
     for (int k = 0; k < num_joints_[leg]; ++k) {
       double& angle = q[leg][k];
       if (faults_.joint_zero_error > 0.0) angle += zero_errors_[leg][k];
-      if (faults_.joint_noise > 0.0) {
-        double sum = -2.0;
-        for (int i = 0; i < 4; ++i) sum += draw(Draw::noise, leg, k, i);
-        angle += faults_.joint_noise * kSqrt3 * sum;
-      }
+      if (faults_.joint_noise > 0.0) angle += faults_.joint_noise * noise(Draw::noise, leg, k);
       if (step > 0.0) angle = step * std::round(angle / step);
     }
 }

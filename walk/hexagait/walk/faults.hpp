@@ -39,6 +39,11 @@ struct PlantFaults {
   double sensing_delay = 0.0;
   double command_delay = 0.0;
 
+  /// Standard deviation of white noise on every axis of the inertial measurement unit, and what every axis
+  /// is off by, up or down by lot, for good [m/s²], [rad/s]. Noise as of the joints.
+  double acceleration_noise = 0.0, acceleration_bias = 0.0;
+  double rate_noise = 0.0, rate_bias = 0.0;
+
   /// Probability that a control period is late: nothing arrives, read() returns `late`, and what is
   /// written is lost. The servos go on with what they had, at its velocities.
   double late_ticks = 0.0;
@@ -59,6 +64,7 @@ void check(const PlantFaults& faults);
 ///
 ///     read   q ─ delay ─▶ zero error ─▶ noise ─▶ rounding ─▶ controller
 ///            contact ─▶ bounce ─▶ false, missed ─ delay ─▶ controller
+///            acceleration, rate ─ delay ─▶ bias ─▶ noise ─▶ controller
 ///     write  controller ─▶ positions only ─▶ late: lost ─ delay ─▶ zero error ─▶ servos
 ///
 /// Ground truth is not touched. Deterministic: what is drawn is a function of seed, fault, control
@@ -83,13 +89,25 @@ class FaultyPlant final : public Plant {
     std::size_t whole = 0;
     double rest = 0.0;
   };
-  enum class Draw : std::uint32_t { zero = 1, noise, touch, bounce, false_one, missed, late };
+  enum class Draw : std::uint32_t {
+    zero = 1,
+    noise,
+    touch,
+    bounce,
+    false_one,
+    missed,
+    late,
+    bias,
+    imu
+  };
 
   [[nodiscard]] double draw(Draw what, LegId leg, int joint = 0, int more = 0) const;
   [[nodiscard]] Delay delay(double seconds) const;
   void feel(LegArray<bool>& contact);
   [[nodiscard]] Measurement delayed(double time) const;
+  [[nodiscard]] double noise(Draw what, LegId leg, int joint) const;
   void misread(LegArray<LegJoints>& q) const;
+  void misread(InertialMeasurement& imu) const;
   [[nodiscard]] JointTargets gone_on() const;
   [[nodiscard]] JointTargets arriving() const;
 
@@ -99,6 +117,7 @@ class FaultyPlant final : public Plant {
   std::uint64_t seed_;
   LegArray<int> num_joints_;
   LegArray<LegJoints> zero_errors_;
+  InertialMeasurement imu_bias_;
   Delay sensing_, command_;
   std::uint64_t tick_ = 0;  // measurements taken so far
   bool late_ = false;       // the present control period

@@ -309,10 +309,10 @@ TEST(PlantFaults, TheTableOfThemIsComplete) {
   PlantFaults all;
   for (const auto& one : imperfections()) all.*one.value = one.greatest;
   EXPECT_NO_THROW(check(all));
-  const auto& [noise, quantisation, zero, bounce, wrong, missed, sensing, command, late, only] =
-      all;
-  for (const double value :
-       {noise, quantisation, zero, bounce, wrong, missed, sensing, command, late})
+  const auto& [noise, quantisation, zero, bounce, wrong, missed, sensing, command, felt, felt_off,
+               rate, rate_off, late, only] = all;
+  for (const double value : {noise, quantisation, zero, bounce, wrong, missed, sensing, command,
+                             felt, felt_off, rate, rate_off, late})
     EXPECT_GT(value, 0.0);
   EXPECT_FALSE(only);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/gait_state/ring.hpp>
+#include <hexagait/math/trigonometry.hpp>
 #include <hexagait/walk/detail/state_hash.hpp>
 #include <hexagait/walk/referee.hpp>
 #include <limits>
@@ -17,6 +18,12 @@ LegSet feet_in_contact(const GroundTruth& truth) {
   LegSet feet;
   for (LegId i = 0; i < truth.feet.size(); ++i) feet.set(i, truth.feet[i].in_contact);
   return feet;
+}
+
+// Angle between what two attitudes of the body take for up [rad].
+double tilt_between(const Matrix3& R, const Matrix3& S) {
+  const Vector3 a = R.row(2), b = S.row(2);
+  return portable::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 }  // namespace
@@ -69,6 +76,9 @@ void Referee::observe(const TickRecord& record, const GroundTruth& truth) {
   summary_.state_hash = state_hash(*model_, truth, record.measurement, summary_.state_hash);
   odometry_ = record.state.X_OB;
   truth_ = truth.X_WB;
+  const double tilt = tilt_between(odometry_.R, truth_.R);
+  if (!(tilt <= summary_.odometry_tilt))
+    summary_.odometry_tilt = tilt;  // not a number: no odometry
   summary_.fault = record.fault;
 }
 
@@ -217,6 +227,7 @@ Summary Referee::summary() const {
   // Odometry starts where the truth does.
   const PlanarPose odometry = start_ * in_plane(odometry_);
   s.odometry_position = (odometry.shift - truth_.p.head<2>()).norm();
+  s.odometry_height = odometry_.p.z() - truth_.p.z();
   s.odometry_heading = wrap_angle(odometry.angle - in_plane(truth_).angle);
 
   // Stances that go on slide too.

@@ -33,6 +33,8 @@ struct Summary {
   double heading_max = 0.0, heading_end = 0.0;  ///< |true − ideal heading| [rad]
   double odometry_position = 0.0;               ///< |odometry − truth| at the end [m]
   double odometry_heading = 0.0;                ///< the same of the yaw, signed [rad]
+  double odometry_height = 0.0;                 ///< the same of the height, signed [m]
+  double odometry_tilt = 0.0;                   ///< greatest angle between up and odom's z [rad]
 
   /// Slip of a stance: |∫ v dt| of the foot's material contact point along the ground, from its
   /// first touch to the last one before it is off the ground for 50 ms, or to the end of the walk

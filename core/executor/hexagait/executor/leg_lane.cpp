@@ -8,6 +8,9 @@
 namespace hexagait {
 namespace {
 
+// The next foothold that is tried, of the way there.
+constexpr double kCloser = 0.6;
+
 // Has a timer that counts in control periods reached its time?
 bool elapsed(double time, double limit) { return time > limit - kTimeTolerance; }
 
@@ -23,7 +26,7 @@ void enter(LegLane& lane, LegPhase phase) {
 void begin_step(LegLane& lane, LegPhase phase, const Pose& X_OB) {
   enter(lane, phase);
   lane.cleared = false;
-  lane.retreats = 0;
+  lane.retreats = lane.bounces = 0;
   lane.reach_fraction = 1.0;
   lane.transfer_clock = 0.0;
   lane.p_OL = X_OB * lane.p_BF;
@@ -109,20 +112,21 @@ void land(LegLane& lane, double dt, const SwingParams& params) {
   ramp(lane.load, 1.0, dt, params.load_time);
 }
 
-// Moves back and up. The next attempt is higher and, after two, shorter; after the last one the foot
-// goes back to where it stood. The set point lets go of what blocks the foot: it would push with
-// more than 1 kN and roll the body.
+// Moves back, away from the foothold, and up. The next attempt is higher and, after two, shorter; after
+// the last one the foot goes back to where it stood. The set point lets go of what blocks the foot: it
+// would push with more than 1 kN and roll the body.
 void retreat(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, const SwingParams& params) {
   enter(lane, LegPhase::retreat);
   lane.p_BF += sensed.off;
-  const Vector2 p_OF = (X_OB * lane.p_BF).head<2>(), back = lane.p_OL.head<2>() - p_OF;
+  const Vector2 p_OF = (X_OB * lane.p_BF).head<2>(), back = p_OF - lane.step.p_OT.head<2>();
   const double distance = back.norm();
   lane.back_O = p_OF;
-  if (distance > 0.0) lane.back_O += back * std::min(1.0, params.retreat_back / distance);
+  if (distance != 0.0) lane.back_O += back * (params.retreat_back / distance);  // NaN stays one
+  lane.bounces = 0;
   lane.v_O.setZero();
   lane.a_O.setZero();
   lane.transfer_clock = 0.0;
-  if (++lane.retreats > 2) lane.reach_fraction *= 0.6;
+  if (++lane.retreats > 2) lane.reach_fraction *= kCloser;
   if (lane.retreats >= params.max_retreats)
     lane.reach_fraction = 0.0;
   else
@@ -149,8 +153,14 @@ double rise_time(const LegLane& lane, const SwingParams& params) {
 void support(LegLane& lane, double dt, const Pose& X_OB, const SwingParams& params) {
   const bool lost = lane.without_contact > params.lost_time;
   // What touched for an instant only was not the ground: the step goes on.
-  if (!lane.believed && lost)
-    return enter(lane, params.reflexes ? LegPhase::descend : LegPhase::search);
+  if (!lane.believed && lost) {
+    if (!params.reflexes) return enter(lane, LegPhase::search);
+    // A foot that touches again and again without finding hold has none there.
+    if (++lane.bounces < params.max_bounces || gives_up(lane, params))
+      return enter(lane, LegPhase::descend);
+    lane.reach_fraction *= kCloser;
+    return retreat(lane, {}, X_OB, params);
+  }
 
   ramp(lane.load, lost ? 0.0 : 1.0, dt, params.load_time);
   if (lane.without_contact > (lane.confirmed ? params.regain_time : params.lost_time)) {
@@ -188,10 +198,16 @@ Vector3 swing(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_O
 
   const bool blocked = (sensed.contact && elapsed(lane.with_contact, params.touch_time)) ||
                        sensed.tracking_error > params.blocked_error;
-  if (sideways && lane.cleared && blocked && !gives_up(lane, params)) {
+  // Also a foot that has been touching something since it stood: what it has risen along is a wall.
+  if (sideways && blocked && !gives_up(lane, params)) {
     retreat(lane, sensed, X_OB, params);
     return Vector3::Zero();
-  } else if (lane.phase == LegPhase::lift && sideways) {
+  }
+  if (sideways && blocked && sensed.contact) {  // it is back where it stood: that is its ground
+    land(lane, dt, params);
+    return Vector3::Zero();
+  }
+  if (lane.phase == LegPhase::lift && sideways) {
     lane.phase = LegPhase::transfer;  // without enter(): lane.time still paces the rise
   } else if (lane.phase == LegPhase::transfer && !sensed.contact &&
              time_to_go(lane, way.norm(), params) - 0.5 * dt < params.overlap_time &&
@@ -210,8 +226,14 @@ Vector3 descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X
   if (found) return land(lane, dt, params), way_O;
   const bool blocked = !sensed.reachable || sensed.tracking_error > params.blocked_error;
   if (blocked && !gives_up(lane, params)) {
-    lane.reach_fraction *= 0.6;
+    lane.reach_fraction *= kCloser;
     return retreat(lane, sensed, X_OB, params), way_O;
+  }
+  // Nothing is left to try. What is in the way is not pushed: the robot would stand on its shin.
+  if (blocked) {
+    lane.v_O.setZero();
+    lane.a_O.setZero();
+    return way_O;
   }
 
   // Straight down over the last centimetres, so that the foot does not slide.

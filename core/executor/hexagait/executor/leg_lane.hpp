@@ -44,6 +44,7 @@ struct LegLane {
   double apex_z = 0.0;               ///< height of the apex, odom [m]
   bool cleared = false;              ///< contact has been lost since the lift
   int retreats = 0;                  ///< collisions of this step
+  int bounces = 0;                   ///< its touchdowns that were none, since the last retreat
   double reach_fraction =
       1.0;                    ///< of the distance to the foothold, reduced when it is not reachable
   bool touched_down = false;  ///< counts as support from this tick on

@@ -2,61 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <functional>
-#include <hexagait/executor/leg_lane.hpp>
 #include <hexagait/sim/random.hpp>
-#include <testing/round_params.hpp>
+#include <testing/swing.hpp>
 
 namespace hexagait {
 namespace {
 
-constexpr double kDt = 0.002;
-const Pose kBody{rotation_z(0.7), {1.0, -2.0, 0.3}};  // at rest in odom
-
-/// A lane under a body at rest. The foot goes where it is told; whether it touches something there
-/// is up to the test: at first the ground z = 0.
-struct Swing {
-  SwingParams params = testing::round_params().swing;
-  LegLane lane;
-  std::function<bool(const Vector3&)> touches = [](const Vector3& p_OF) { return p_OF.z() <= 0.0; };
-  bool reachable = true;
-
-  explicit Swing(const Vector3& start_O = {1.3, -1.6, 0.0}) {
-    lane.p_BF = kBody.inverse() * start_O;
-    lane.time = 1.0;  // it stands there for a while already
-  }
-  Vector3 foot() const { return kBody * lane.p_BF; }
-  void command(const Vector3& target_O) { hexagait::command(lane, {0, target_O, 0.1}, kBody); }
-  void tick() {
-    const LegSensed sensed{.contact = touches(foot()), .reachable = reachable};
-    sense(lane, sensed.contact, kDt, params);
-    advance(lane, sensed, kBody, kDt, params);
-  }
-
-  /// Until it stands again, at most three seconds; calls `watch` after each tick.
-  template <class Watch>
-  void land(Watch watch) {
-    for (int k = 0; k < 1500; ++k) {
-      tick();
-      watch();
-      if (lane.phase == LegPhase::support) return;
-    }
-    ADD_FAILURE() << "still " << to_string(lane.phase);
-  }
-  void land() {
-    land([] {});
-  }
-  void until(LegPhase phase) {
-    for (int k = 0; k < 1500 && lane.phase != phase; ++k) tick();
-    ASSERT_EQ(lane.phase, phase);
-  }
-};
-
-constexpr double kStride = 0.35;  // [m]
-const Vector3 kStart(1.3, -1.6, 0.0);
-const Vector3 kTarget = kStart + Vector3(0.28, 0.21, 0.0);
-
-double planar_distance(const Vector3& a, const Vector3& b) { return (a - b).head<2>().norm(); }
+using testing::kBody;
+using testing::kDt;
+using testing::kStart;
+using testing::kStride;
+using testing::kTarget;
+using testing::planar_distance;
+using testing::Swing;
 
 // Committed within the last 3 cm, of which the descent takes some 0.15 s; the minimum-jerk motion
 // has only its tail left then. On the ground within the way of one tick.
@@ -233,61 +191,6 @@ TEST(Swing, TouchesDownWhereTheGroundIs) {
     EXPECT_NEAR(swing.foot().z(), ground, swing.params.descent_speed * kDt) << ground;
     EXPECT_LE(fastest, swing.params.search_speed + 1e-12);
   }
-}
-
-/// A wall across the way, 10 cm from the start and 12 cm high.
-bool touches_wall(const Vector3& p_OF) {
-  const bool beyond = (p_OF - kStart).dot((kTarget - kStart) / kStride) > 0.1;
-  return p_OF.z() <= (beyond ? 0.12 : 0.0);
-}
-
-// [FG16]: what hits something goes back and up, and tries again higher: over a wall 2 cm higher
-// than its first apex it gets at the second try, apex 15 cm.
-TEST(Swing, GoesBackAndUpWhenItHitsSomethingAndOverItAtTheNextTry) {
-  Swing swing;
-  swing.touches = touches_wall;
-  swing.command(kTarget);
-  swing.until(LegPhase::retreat);
-  const Vector3 hit = swing.foot();
-  EXPECT_GT(planar_distance(hit, kStart), 0.09);
-  EXPECT_LT(planar_distance(hit, kStart), 0.13);
-  swing.until(LegPhase::transfer);
-  EXPECT_LT(planar_distance(swing.foot(), kStart), planar_distance(hit, kStart) - 0.015) << "back";
-  EXPECT_GT(swing.foot().z(), hit.z() + 0.02) << "up";
-  swing.land();
-  EXPECT_EQ(swing.lane.retreats, 1);
-  EXPECT_LT(planar_distance(swing.foot(), kTarget), 0.01);
-  EXPECT_NEAR(swing.foot().z(), 0.12, 1e-3);
-}
-
-// A wall without end: after two tries the foot aims less far each time, 60 % of the way, until it
-// comes down before the wall. 0.35 · 0.6³ = 0.076 m.
-TEST(Swing, GivesWayToAWallWithoutEnd) {
-  Swing swing;
-  swing.touches = [](const Vector3& p_OF) {
-    return p_OF.z() <= 0.0 || (p_OF - kStart).dot((kTarget - kStart) / kStride) > 0.1;
-  };
-  swing.command(kTarget);
-  for (int k = 0; k < 5000 && (k < 1 || swing.lane.phase != LegPhase::support); ++k) swing.tick();
-  ASSERT_EQ(swing.lane.phase, LegPhase::support);
-  EXPECT_LE(swing.foot().z(), 1e-3);
-  EXPECT_LT(planar_distance(swing.foot(), kStart), 0.1);
-}
-
-// Out of reach on the way down (a hole): up again and down nearer to where it came from, at 60 % of
-// the way, and so on.
-TEST(Swing, StepsLessFarWhenTheGroundIsOutOfReach) {
-  Swing swing;
-  swing.touches = [](const Vector3& p) {
-    return p.z() <= (planar_distance(p, kStart) > 0.15 ? -1.0 : 0.0);
-  };
-  swing.command(kTarget);
-  for (int k = 0; k < 5000 && (k < 1 || swing.lane.phase != LegPhase::support); ++k) {
-    swing.reachable = swing.foot().z() > -0.05;
-    swing.tick();
-  }
-  ASSERT_EQ(swing.lane.phase, LegPhase::support);
-  EXPECT_NEAR(planar_distance(swing.foot(), kStart), 0.36 * kStride, 0.005);
 }
 
 // The ground is gone: off the ground after lost_time, unloaded, and after regain_time the foot goes

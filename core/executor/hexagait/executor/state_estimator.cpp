@@ -41,6 +41,11 @@ RobotState StateEstimator::start(const Measurement& measurement, RestsOn rests_o
     state.p_BF[i] = foot_position(model_->legs[i], state.trig[i]);
   }
   odometry_.reset(state, rests_on);
+  since_imu_ = 0.0;
+  if (has_imu(measurement)) {
+    tilt_.reset(*measurement.imu);
+    odometry_.level(state, tilt_.up_B(), LegArray<double>(n, 1.0));
+  }
   return state;
 }
 
@@ -54,7 +59,13 @@ void StateEstimator::update(RobotState& state, const Measurement& measurement,
                                               : planned_contact(executor.legs()[i], state.X_OB);
   }
   forward_kinematics(*model_, state.q, state.trig, state.p_BF);
-  odometry_.update(state, executor.footing(), dt);
+  const LegArray<double> footing = executor.footing();
+  odometry_.update(state, footing, dt);
+  since_imu_ += dt;
+  if (!has_imu(measurement)) return;
+  tilt_.update(*measurement.imu, since_imu_);
+  since_imu_ = 0.0;
+  odometry_.level(state, tilt_.up_B(), footing);
 }
 
 }  // namespace hexagait

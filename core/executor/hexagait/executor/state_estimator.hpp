@@ -4,6 +4,7 @@
 
 #include <hexagait/executor/executor.hpp>
 #include <hexagait/plant/odometry.hpp>
+#include <hexagait/plant/tilt_filter.hpp>
 
 namespace hexagait {
 
@@ -12,14 +13,18 @@ namespace hexagait {
 struct SensorMask {
   bool joint_feedback = true;  ///< without: joints are assumed to be at their targets
   bool foot_contacts = true;   ///< without: feet touch the ground where and when planned
+  bool imu = true;  ///< without, or without measurements of it: up is what odometry takes for it
 };
 
-/// Computes the RobotState from measurements: joints, feet, contacts, odometry. The robot model
+/// Computes the RobotState from measurements: joints, feet, contacts, odometry, tilt. The robot model
 /// must outlive the estimator.
 class StateEstimator {
  public:
   StateEstimator(const RobotModel& model, SensorMask sensors, const ToleranceParams& tolerance = {})
-      : model_(&model), sensors_(sensors), odometry_(model, tolerance) {}
+      : model_(&model),
+        sensors_(sensors),
+        odometry_(model, tolerance),
+        tilt_(odometry_.tolerance().tilt_time) {}
   StateEstimator(const RobotModel&&, SensorMask, const ToleranceParams& = {}) = delete;
 
   /// The state from which a controller starts.
@@ -35,7 +40,13 @@ class StateEstimator {
  private:
   const RobotModel* model_;
   SensorMask sensors_;
+  [[nodiscard]] bool has_imu(const Measurement& measurement) const {
+    return sensors_.imu && measurement.imu.has_value();
+  }
+
   Odometry odometry_;
+  TiltFilter tilt_;
+  double since_imu_ = 0.0;  ///< time since its last measurement [s]
 };
 
 }  // namespace hexagait

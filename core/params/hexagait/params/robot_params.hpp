@@ -78,6 +78,8 @@ struct SwingParams {
   /// Collisions in one step after which the foot goes back to where it stood, and stays down. Each
   /// try costs half a second, in which its neighbours wait.
   int max_retreats = 5;
+  /// Touchdowns of one foot in a row that end without hold, after which it tries a closer place.
+  int max_bounces = 3;
   /// Duration of contact before it is believed: before a foot on its way counts as blocked, and
   /// before one that has landed takes load. A contact that ends sooner was none, and the step goes
   /// on. Shorter: false contacts end steps. Longer: what blocks a foot is pushed for longer [s].
@@ -145,6 +147,10 @@ struct ToleranceParams {
   double in_a_row = kDerived;  ///< feet that are within this of a line are in a row [m]
   /// An angle of the base counts as much as a shift by it times this [m]: (tracker 1).
   double turn_arm = kDerived;
+  /// Time in which the accelerometer, where there is one, overrules the gyroscope, τ of (tilt 1): longer
+  /// than a step. Shorter: the body's own accelerations count as tilt. Longer: a drifting gyroscope
+  /// does [s].
+  double tilt_time = kDerived;
 };
 
 /// Durations, speeds and tolerances of scripted actions.

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
+#include <hexagait/math/trigonometry.hpp>
 #include <hexagait/params/params_for.hpp>
 #include <hexagait/plant/odometry.hpp>
 #include <limits>
@@ -139,6 +140,13 @@ Vector2 slope_of(const Eigen::Matrix2d& spread, const Vector2& rise, double in_a
   return slope;
 }
 
+// That turns the unit vector a into b on the shortest way [rad].
+Vector3 rotation_vector_between(const Vector3& a, const Vector3& b) {
+  const Vector3 axis = a.cross(b);
+  const double sine = axis.norm(), cosine = a.dot(b);
+  return sine > 0.0 ? Vector3(axis * (portable::atan2(sine, cosine) / sine)) : Vector3::Zero();
+}
+
 // Twist that takes the body from X_OB to Y_OB in dt, in the body frame.
 Twist twist_between(const Pose& X_OB, const Pose& Y_OB, double dt) {
   const Matrix3 R = X_OB.R.transpose() * Y_OB.R;
@@ -227,6 +235,28 @@ void Odometry::update(RobotState& state, const LegArray<double>& footing, double
   for (LegId i = 0; i < q_before_.size(); ++i) {
     q_before_[i] = state.q[i];
     trig_before_[i] = state.trig[i];
+  }
+}
+
+void Odometry::level(RobotState& state, const Vector3& up_B,
+                     const LegArray<double>& footing) noexcept {
+  const Vector3 up_O = X_OB_.R * up_B;
+  const Matrix3 R = rotation(rotation_vector_between(up_O, Vector3::UnitZ()));
+  Vector3 middle = Vector3::Zero();
+  double weight = 0.0;
+  for (LegId i = 0; i < footing.size(); ++i) {
+    middle += footing[i] * state.p_OF[i];
+    weight += footing[i];
+  }
+  middle = weight > 0.0 ? Vector3(middle / weight) : X_OB_.p;
+  const auto turned = [&](const Vector3& p) { return Vector3(middle + R * (p - middle)); };
+  X_OB_ = {orthonormalised(R * X_OB_.R), turned(X_OB_.p)};
+  state.X_OB = X_OB_;
+  for (LegId i = 0; i < footing.size(); ++i) {
+    anchor_O_[i] = turned(anchor_O_[i]);
+    off_anchor_O_[i] = R * off_anchor_O_[i];
+    state.p_OF[i] = turned(state.p_OF[i]);
+    state.print_O[i] = turned(state.print_O[i]);
   }
 }
 

@@ -27,7 +27,8 @@ namespace hexagait {
 ///
 /// Without it, footholds that seem to slide follow the noise, and the pose strays with them.
 /// Without (odometry 2), a tibia that turns by 15° on a foot of 2 cm would look like 5 mm of slip.
-/// Odometry does not sense gravity: it assumes that the robot starts on level ground.
+/// Odometry does not sense gravity: it assumes that the robot starts on level ground, and where a robot
+/// tips about two feet, its tilt strays. Where up is measured, level() sets it right.
 /// The robot model must outlive the odometry.
 class Odometry {
  public:
@@ -35,11 +36,20 @@ class Odometry {
   explicit Odometry(const RobotModel& model, const ToleranceParams& tolerance = {});
   explicit Odometry(const RobotModel&&, const ToleranceParams& = {}) = delete;
 
+  /// Complete.
+  [[nodiscard]] const ToleranceParams& tolerance() const { return tolerance_; }
+
   /// Places the odom frame under the robot: z normal to the plane through the feet, z = 0 at their
   /// mean lowest point, x and yaw of the body. Feet in a row do not say how the ground slopes across
   /// it: it is taken as level with the body there. For a robot that rests on its belly, odom is the
   /// body frame.
   void reset(RobotState& state, RestsOn rests_on = RestsOn::feet);
+
+  /// Turns body and footholds about the middle of the feet that stand, so that the measured direction of
+  /// up is z of odom. Yaw, and where those feet are on average, stay as they are.
+  /// @param up_B     unit vector upwards, body frame
+  /// @param footing  as in update()
+  void level(RobotState& state, const Vector3& up_B, const LegArray<double>& footing) noexcept;
 
   /// Updates X_OB, V_B, p_OF, print_O and slide_O from q, trig and p_BF.
   /// @param footing  fraction of its load that each leg carries, 0 … 1; the footholds of legs below

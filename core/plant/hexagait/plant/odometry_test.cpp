@@ -67,6 +67,37 @@ TEST(OdometryReset, TakesABodyThatLiesForLevelWhereverItsFeetAre) {
   EXPECT_LT(distance(state.X_OB, {}), 1e-12);
 }
 
+// Up is measured 0.1 rad off: body and footholds turn together about the middle of the feet that stand,
+// without yaw, and the next update finds them where they are.
+TEST(OdometryLevel, TurnsBodyAndFootholdsAboutTheMiddleOfTheFeet) {
+  const RobotModel model = point_footed(6);
+  RobotState state = standing(six_feet());
+  Odometry odometry(model, testing::round_params().tolerance);
+  odometry.reset(state);
+  LegArray<double> footing(6, 1.0);
+  footing[3] = footing[5] = 0.0;
+  odometry.update(state, footing, kDt);
+  const RobotState before = state;
+  const Vector3 up_B = rotation({0.06, -0.08, 0.0}) * Vector3::UnitZ();
+  odometry.level(state, up_B, footing);
+
+  EXPECT_LT((state.X_OB.R * up_B - Vector3::UnitZ()).norm(), 1e-12);
+  EXPECT_NEAR(state.X_OB.R(1, 0), 0.0, 0.01);  // no yaw: |turn|² only
+  Vector3 middle = Vector3::Zero(), middle_before = Vector3::Zero();
+  for (const LegId i : {0, 1, 2, 4}) {
+    middle += state.p_OF[i] / 4.0;
+    middle_before += before.p_OF[i] / 4.0;
+    EXPECT_LT((state.print_O[i] - state.p_OF[i]).norm(), 1e-12);
+  }
+  EXPECT_LT((middle - middle_before).norm(), 1e-12);
+  EXPECT_GT((state.print_O[0] - before.print_O[0]).norm(), 0.02);
+
+  const Pose level = state.X_OB;
+  odometry.update(state, footing, kDt);
+  EXPECT_LT(distance(state.X_OB, level), 1e-12);
+  EXPECT_LT(state.V_B.v.norm() + state.V_B.w.norm(), 1e-9);
+}
+
 // z of odom is the normal of the plane through the feet, its origin ρ below their centres: however
 // the body is held, its pose is found but for what feet on a plane cannot tell, x, y and yaw.
 TEST(OdometryReset, LevelsTheFrameOnTheFeet) {

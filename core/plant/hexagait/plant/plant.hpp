@@ -5,14 +5,23 @@
 #include <cstdint>
 #include <hexagait/math/leg.hpp>
 #include <hexagait/model/robot_model.hpp>
+#include <optional>
 
 namespace hexagait {
 
-/// What a robot measures at one instant: its joints, and which feet touch something.
+/// What an inertial measurement unit in the body feels, axes of the body.
+struct InertialMeasurement {
+  Vector3 acceleration = Vector3::Zero();  ///< less gravity: at rest g, upwards [m/s²]
+  Vector3 rate = Vector3::Zero();          ///< angular velocity [rad/s]
+};
+
+/// What a robot measures at one instant: its joints, and which feet touch something; with an inertial
+/// measurement unit, also what that feels.
 struct Measurement {
   double time = 0.0;       ///< the plant's clock [s]
   LegArray<LegJoints> q;   ///< joint positions [rad]
   LegArray<bool> contact;  ///< the foot touches something (load above the sensor's threshold)
+  std::optional<InertialMeasurement> imu = {};
 };
 
 /// How a leg's servos are driven.

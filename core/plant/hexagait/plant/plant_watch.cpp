@@ -29,6 +29,8 @@ bool valid(const Measurement& measurement, const RobotModel& model) noexcept {
   const int n = model.num_legs();
   if (measurement.q.size() != n || measurement.contact.size() != n) return false;
   bool good = std::isfinite(measurement.time);
+  if (measurement.imu)
+    good &= measurement.imu->acceleration.allFinite() && measurement.imu->rate.allFinite();
   for (LegId i = 0; i < n; ++i) {
     const LegJoints& q = measurement.q[i];
     good &= (q.head<kMinLegJoints>().array().abs() <= kLargestJointAngle).all();

@@ -23,8 +23,8 @@ enum class Fault : std::uint8_t {
 /// No joint can be measured farther than this from its zero: 1600 turns [rad].
 inline constexpr double kLargestJointAngle = 1e4;
 
-/// Does the measurement have a finite time and the model's number of legs, and are all their joint
-/// positions within kLargestJointAngle?
+/// Does the measurement have a finite time and the model's number of legs, are all their joint
+/// positions within kLargestJointAngle, and what its inertial measurement unit feels is finite?
 [[nodiscard]] bool valid(const Measurement& measurement, const RobotModel& model) noexcept;
 
 /// Checks the input of a controller: everything behind it sees only valid, finite measurements.

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <testing/swing.hpp>
+
+// What a foot does about what is in its way, and about ground that it does not find.
+
+namespace hexagait {
+namespace {
+
+using testing::kBody;
+using testing::kDt;
+using testing::kStart;
+using testing::kStride;
+using testing::kTarget;
+using testing::planar_distance;
+using testing::Swing;
+
+/// Way from the start towards the target [m].
+double ahead(const Vector3& p_OF) { return (p_OF - kStart).dot((kTarget - kStart) / kStride); }
+
+/// A wall across the way, 10 cm from the start and 12 cm high.
+bool touches_wall(const Vector3& p_OF) {
+  const bool beyond = (p_OF - kStart).dot((kTarget - kStart) / kStride) > 0.1;
+  return p_OF.z() <= (beyond ? 0.12 : 0.0);
+}
+
+// [FG16]: what hits something goes back and up, and tries again higher: over a wall 2 cm higher
+// than its first apex it gets at the second try, apex 15 cm.
+TEST(Swing, GoesBackAndUpWhenItHitsSomethingAndOverItAtTheNextTry) {
+  Swing swing;
+  swing.touches = touches_wall;
+  swing.command(kTarget);
+  swing.until(LegPhase::retreat);
+  const Vector3 hit = swing.foot();
+  EXPECT_GT(planar_distance(hit, kStart), 0.09);
+  EXPECT_LT(planar_distance(hit, kStart), 0.13);
+  swing.until(LegPhase::transfer);
+  EXPECT_LT(planar_distance(swing.foot(), kStart), planar_distance(hit, kStart) - 0.015) << "back";
+  EXPECT_GT(swing.foot().z(), hit.z() + 0.02) << "up";
+  swing.land();
+  EXPECT_EQ(swing.lane.retreats, 1);
+  EXPECT_LT(planar_distance(swing.foot(), kTarget), 0.01);
+  EXPECT_NEAR(swing.foot().z(), 0.12, 1e-3);
+}
+
+// A wall without end: after two tries the foot aims less far each time, 60 % of the way, until it
+// comes down before the wall. 0.35 · 0.6³ = 0.076 m.
+TEST(Swing, GivesWayToAWallWithoutEnd) {
+  Swing swing;
+  swing.touches = [](const Vector3& p_OF) {
+    return p_OF.z() <= 0.0 || (p_OF - kStart).dot((kTarget - kStart) / kStride) > 0.1;
+  };
+  swing.command(kTarget);
+  for (int k = 0; k < 5000 && (k < 1 || swing.lane.phase != LegPhase::support); ++k) swing.tick();
+  ASSERT_EQ(swing.lane.phase, LegPhase::support);
+  EXPECT_LE(swing.foot().z(), 1e-3);
+  EXPECT_LT(planar_distance(swing.foot(), kStart), 0.1);
+}
+
+// Out of reach on the way down (a hole): up again and down nearer to where it came from, at 60 % of
+// the way, and so on.
+TEST(Swing, StepsLessFarWhenTheGroundIsOutOfReach) {
+  Swing swing;
+  swing.touches = [](const Vector3& p) {
+    return p.z() <= (planar_distance(p, kStart) > 0.15 ? -1.0 : 0.0);
+  };
+  swing.command(kTarget);
+  for (int k = 0; k < 5000 && (k < 1 || swing.lane.phase != LegPhase::support); ++k) {
+    swing.reachable = swing.foot().z() > -0.05;
+    swing.tick();
+  }
+  ASSERT_EQ(swing.lane.phase, LegPhase::support);
+  EXPECT_NEAR(planar_distance(swing.foot(), kStart), 0.36 * kStride, 0.005);
+}
+
+// It stands against the wall, and rises along it with its contact closed all the time. That contact is not
+// the ground: before it moves on, it moves away from the wall.
+TEST(Swing, LetsGoOfAWallThatItRisesAlong) {
+  Swing swing;
+  swing.touches = [](const Vector3& p) {
+    return p.z() <= 0.0 || (ahead(p) > -1e-9 && p.z() < 0.12);
+  };
+  swing.command(kTarget);
+  swing.until(LegPhase::retreat);
+  const double pushed = ahead(swing.foot());
+  EXPECT_LT(pushed, 0.01) << "it pushes the wall";
+  swing.until(LegPhase::transfer);
+  EXPECT_LT(ahead(swing.foot()), pushed - 0.5 * swing.params.retreat_back);
+  swing.land();
+  EXPECT_LT(planar_distance(swing.foot(), kTarget), 0.01);
+}
+
+// In a corner where it touches something wherever it goes: after the last try it stands.
+TEST(Swing, StandsOnWhatItTouchesWhenNothingIsLeftToTry) {
+  Swing swing;
+  swing.touches = [](const Vector3&) { return true; };
+  swing.command(kTarget);
+  int ticks = 0;
+  for (; ticks < 5000 && (ticks < 1 || swing.lane.phase != LegPhase::support); ++ticks)
+    swing.tick();
+  EXPECT_EQ(swing.lane.phase, LegPhase::support);
+  EXPECT_EQ(swing.lane.retreats, swing.params.max_retreats);
+}
+
+// Contacts of an instant: a foot that finds no hold where it comes down tries closer, after three of them.
+TEST(Swing, TriesCloserWhereItFindsNoHold) {
+  Swing swing;
+  int contacts = 0;
+  double crumbles_at = 0.0;  // what holds for an instant, and then breaks
+  swing.touches = [&](const Vector3& p) {
+    if (planar_distance(p, kStart) < 0.8 * kStride) return p.z() <= 0.0;
+    if (p.z() > crumbles_at) return false;
+    ++contacts;
+    crumbles_at -= 0.005;
+    return true;
+  };
+  swing.command(kTarget);
+  swing.until(LegPhase::retreat);
+  EXPECT_EQ(contacts, swing.params.max_bounces);
+  EXPECT_EQ(swing.lane.retreats, 1);
+  for (int k = 0; k < 3000 && !swing.lane.supports(swing.params); ++k) swing.tick();
+  EXPECT_TRUE(swing.lane.supports(swing.params));
+  EXPECT_LT(planar_distance(swing.foot(), kStart), 0.7 * kStride);
+}
+
+// The shin is on an edge: the foot feels nothing, and does not get down. When no try is left, it does not
+// push, or the robot would stand on its shin.
+TEST(Swing, DoesNotPushWhatItCantGetPast) {
+  Swing swing;
+  swing.touches = [](const Vector3& p) { return p == kStart; };
+  swing.command(kTarget);
+  swing.until(LegPhase::descend);
+  swing.lane.retreats = swing.params.max_retreats;
+  swing.blocked = true;
+  swing.tick();
+  const Vector3 there = swing.foot();
+  for (int k = 0; k < 500; ++k) swing.tick();
+  EXPECT_EQ(swing.lane.phase, LegPhase::descend);
+  EXPECT_LT((swing.foot() - there).norm(), 1e-9);
+  swing.blocked = false;
+  swing.touches = [](const Vector3& p) { return p.z() <= 0.0; };
+  swing.land();
+}
+
+}  // namespace
+}  // namespace hexagait
