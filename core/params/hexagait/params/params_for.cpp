@@ -190,6 +190,8 @@ constexpr Parameter kParameters[] = {
     {"tolerance.slide", "m", 0.0045, reach, [](P& p) -> double& { return p.tolerance.slide; }},
     {"tolerance.in_a_row", "m", 0.001, size, [](P& p) -> double& { return p.tolerance.in_a_row; }},
     {"tolerance.turn_arm", "m", 0.5, size, [](P& p) -> double& { return p.tolerance.turn_arm; }},
+    {"tolerance.level_time", "s", 12.0, time,
+     [](P& p) -> double& { return p.tolerance.level_time; }},
 
     {"script.profile_height", "m", 0.364, reach,
      [](P& p) -> double& { return p.script.profile_height; }},

@@ -145,6 +145,9 @@ struct ToleranceParams {
   double in_a_row = kDerived;  ///< feet that are within this of a line are in a row [m]
   /// An angle of the base counts as much as a shift by it times this [m]: (tracker 1).
   double turn_arm = kDerived;
+  /// τ of (odometry 5): in so long odometry takes over what an inclinometer reads [s]. Shorter: noise and
+  /// sway of the inclinometer reach the feet. Longer: an error of tilt lasts.
+  double level_time = kDerived;
 };
 
 /// Durations, speeds and tolerances of scripted actions.

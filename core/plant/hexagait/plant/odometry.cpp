@@ -4,12 +4,24 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <hexagait/math/trigonometry.hpp>
 #include <hexagait/params/params_for.hpp>
 #include <hexagait/plant/odometry.hpp>
 #include <limits>
 
 namespace hexagait {
 namespace {
+
+// exp(turn) R, to second order and then made orthonormal: turn is some 1e-3 rad per tick.
+Matrix3 turned(const Matrix3& R, const Vector3& turn) {
+  Matrix3 result;
+  for (int k = 0; k < 3; ++k) {
+    const Vector3 v = R.col(k);
+    result.col(k) = v + turn.cross(v + 0.5 * turn.cross(v));
+  }
+  return orthonormalised(result);
+}
 
 // One Gauss-Newton step of (odometry 1) from X: accurate to second order in the motion of one tick;
 // the next tick corrects the remainder.
@@ -46,13 +58,7 @@ Pose registered(const Pose& X, const LegArray<Vector3>& p_BF, const LegArray<Vec
       -products.y(), -products.x(), sum - squares.z();
   const Vector3 turn = inertia.inverse() * moment;
 
-  // exp(turn) to second order, then made orthonormal: turn is some 1e-3 rad per tick.
-  Matrix3 R;
-  for (int k = 0; k < 3; ++k) {
-    const Vector3 v = X.R.col(k);
-    R.col(k) = v + turn.cross(v + 0.5 * turn.cross(v));
-  }
-  R = orthonormalised(R);
+  const Matrix3 R = turned(X.R, turn);
   return {R, centroid + residual + R * (X.R.transpose() * (X.p - centroid))};
 }
 
@@ -224,9 +230,31 @@ void Odometry::update(RobotState& state, const LegArray<double>& footing, double
     off_anchor_O_[i] = state.p_OF[i] - anchor_O_[i];
     if (footing[i] > 0.0) state.print_O[i] = anchor_O_[i];
   }
+  level(state, dt);
   for (LegId i = 0; i < q_before_.size(); ++i) {
     q_before_[i] = state.q[i];
     trig_before_[i] = state.trig[i];
+  }
+}
+
+// (odometry 5). All that is known in odom turns along, or the footholds would pull the body back.
+void Odometry::level(RobotState& state, double dt) noexcept {
+  const auto& [roll, pitch] = state.inclination;
+  if (!std::isfinite(roll) && !std::isfinite(pitch)) return;
+  const Vector3 rpy = roll_pitch_yaw(X_OB_.R);
+  const Vector3 left(-portable::sin(rpy.z()), portable::cos(rpy.z()), 0.0);
+  Vector3 turn = Vector3::Zero();
+  if (std::isfinite(roll)) turn += dt / tolerance_.level_time * (roll - rpy.x()) * X_OB_.R.col(0);
+  if (std::isfinite(pitch)) turn += dt / tolerance_.level_time * (pitch - rpy.y()) * left;
+
+  const Pose about = rotation_about(X_OB_.p, turned(Matrix3::Identity(), turn));
+  state.X_OB = X_OB_ = {about.R * X_OB_.R, X_OB_.p};
+  for (LegId i = 0; i < anchor_O_.size(); ++i) {
+    state.p_OF[i] = about * state.p_OF[i];
+    state.print_O[i] = about * state.print_O[i];
+    state.slide_O[i] = about.R * state.slide_O[i];
+    anchor_O_[i] = about * anchor_O_[i];
+    off_anchor_O_[i] = about.R * off_anchor_O_[i];
   }
 }
 

@@ -5,14 +5,16 @@
 #include <cstdint>
 #include <hexagait/math/leg.hpp>
 #include <hexagait/model/robot_model.hpp>
+#include <hexagait/plant/inclination.hpp>
 
 namespace hexagait {
 
 /// What a robot measures at one instant: its joints, and which feet touch something.
 struct Measurement {
-  double time = 0.0;       ///< the plant's clock [s]
-  LegArray<LegJoints> q;   ///< joint positions [rad]
-  LegArray<bool> contact;  ///< the foot touches something (load above the sensor's threshold)
+  double time = 0.0;             ///< the plant's clock [s]
+  LegArray<LegJoints> q;         ///< joint positions [rad]
+  LegArray<bool> contact;        ///< the foot touches something (load above the sensor's threshold)
+  Inclination inclination = {};  ///< if there is an inclinometer
 };
 
 /// How a leg's servos are driven.
