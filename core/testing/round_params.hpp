@@ -64,6 +64,7 @@ inline void round_walk(RobotParams& p) {
   p.tolerance.slide = 0.001;
   p.tolerance.in_a_row = 0.001;
   p.tolerance.turn_arm = 0.5;
+  p.tolerance.level_time = 4.0;
 }
 
 inline void round_script(RobotParams& p) {

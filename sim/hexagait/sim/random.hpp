@@ -17,6 +17,8 @@ enum class RandomStream : std::uint32_t {
   test = 5,
   masses = 6,   ///< of links that differ from the model
   sensors = 7,  ///< noise, bounce and losses between plant and controller
+  senses = 8,   ///< noise of whiskers, infrared and inclinometer
+  turns = 9,    ///< of a robot that navigates
   seeds = 16,   ///< of the trials of a sweep
 };
 

@@ -13,7 +13,9 @@ namespace hexagait::sim3d {
 namespace {
 
 constexpr double kPad = 0.6;               // half an edge of the start pad [m]
-constexpr double kAbyss = -1.0;            // level of ditches, and between stones [m]
+constexpr double kAbyss = -1.0;            // level of ditches, pits, and between stones [m]
+constexpr double kWall = 1.0;              // level of an arena's walls and pillars [m]
+constexpr int kStretch = 4;                // cells of its border that are all wall or all cliff
 constexpr double kDitchPeriod = 1.5;       // of which the ditch is a part [m]
 constexpr int kFlight = 10, kLanding = 5;  // steps of the stairs
 constexpr double kTwist = 1.0;  // way in which ground that rises sideways becomes a plane [m]
@@ -37,12 +39,13 @@ double beyond_pad(double coordinate) { return std::max(0.0, std::abs(coordinate)
 
 bool has_cells(TerrainKind kind) {
   using enum TerrainKind;
-  return kind == boxes || kind == step || kind == stairs || kind == ditches || kind == stones;
+  return kind == boxes || kind == step || kind == stairs || kind == ditches || kind == stones ||
+         kind == cliff || kind == arena;
 }
 
 bool is_random(TerrainKind kind) {
   using enum TerrainKind;
-  return kind == boxes || kind == steps || kind == rubble || kind == ice;
+  return kind == boxes || kind == steps || kind == rubble || kind == ice || kind == arena;
 }
 
 // Steps up and down again: level, as a number of steps, of the n-th step ahead.
@@ -66,6 +69,10 @@ std::pair<double, double> bounds(const TerrainPart& part) {
     case TerrainKind::ditches:
     case TerrainKind::stones:
       return {kAbyss, 0.0};
+    case TerrainKind::cliff:
+      return {-part.extent, 0.0};
+    case TerrainKind::arena:
+      return {kAbyss, kWall};
     case TerrainKind::slope:
       return {-kInfinity, kInfinity};
     default:
@@ -132,6 +139,9 @@ Terrain::Layer Terrain::layer(const TerrainPart& part, std::uint32_t draws) cons
     case TerrainKind::stones:
       result.cells.x = result.cells.y = {part.size, part.extent};
       break;
+    case TerrainKind::cliff:
+      result.cells.x = result.cells.y = {0.5 * part.size, 0.0};
+      break;
     case TerrainKind::slope: {
       const portable::SinCos angle = portable::sincos(part.size);
       const portable::SinCos direction = portable::sincos(part.extent);
@@ -171,9 +181,34 @@ double Terrain::level(const Layer& layer, int i, int j) const {
       return i % 2 != 0 && !pad_x ? kAbyss : 0.0;
     case TerrainKind::stones:
       return x.odd > 0.0 && (i % 2 != 0 || j % 2 != 0) && !pad ? kAbyss : 0.0;
+    case TerrainKind::cliff:
+      return i < -1 || i > 0 || j < -1 || j > 0 ? -layer.part.extent : 0.0;
+    case TerrainKind::arena:
+      return pad ? 0.0 : arena(layer, i, j);
     default:
       return 0.0;
   }
+}
+
+// The outermost ring of cells is wall or cliff, by lot in each stretch; inside, a cell is a pit, a
+// pillar or the floor by lot.
+double Terrain::arena(const Layer& layer, int i, int j) const {
+  const CellAxis& axis = layer.cells.x;
+  // Cells 0 … last are those whose middles are within half an edge; −1 … −1 − last the others.
+  const int last = std::max(0, axis.index(0.5 * (layer.part.size + axis.even)) - 1);
+  const auto from_middle = [](int k) { return k >= 0 ? k : -1 - k; };
+  const int farthest = std::max(from_middle(i), from_middle(j));
+  if (farthest > last) return kAbyss;
+  if (farthest == last) {
+    const auto stretch = [](int k) {
+      return static_cast<int>(std::floor(static_cast<double>(k) / kStretch));
+    };
+    const bool across = from_middle(i) == last;  // a side that x = constant runs along
+    const int side = across ? i : j, along = stretch(across ? j : i);
+    return random(layer, across ? 0 : 1, side, along) < 0.5 ? kWall : kAbyss;
+  }
+  const double share = layer.part.extent, lot = random(layer, 2, i, j);
+  return lot >= share ? 0.0 : lot < 0.5 * share ? kAbyss : kWall;
 }
 
 // Level and tilt are such that no corner is below 0 or above the height.

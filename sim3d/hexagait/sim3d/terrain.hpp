@@ -23,8 +23,8 @@ struct CellAxis {
 
 /// An unbounded terrain: its height is a pure function of position, spec and seed.
 ///
-/// Terrains of one part that has vertical faces (boxes, a step, stairs, ditches, stones) are cells,
-/// each level. Any other is a heightfield: what has vertical faces has ramps one sample wide in a
+/// Terrains of one part that has vertical faces (boxes, a step, stairs, ditches, stones, a cliff,
+/// an arena) are cells, each level. Any other is a heightfield: what has vertical faces has ramps one sample wide in a
 /// sum.
 ///
 /// Cell (i, j) covers [x(i), x(i+1)) × [y(j), y(j+1)) in the world frame. A random level is number
@@ -85,6 +85,7 @@ class Terrain {
   [[nodiscard]] Layer layer(const TerrainPart& part, std::uint32_t draws) const;
   [[nodiscard]] double random(const Layer& layer, std::uint32_t which, int i, int j) const;
   [[nodiscard]] double level(const Layer& layer, int i, int j) const;
+  [[nodiscard]] double arena(const Layer& layer, int i, int j) const;
   [[nodiscard]] double rubble(const Layer& layer, double x, double y) const;
   [[nodiscard]] double height(const Layer& layer, double x, double y) const;
   [[nodiscard]] double heightfield_at(double x, double y) const;

@@ -107,6 +107,21 @@ constexpr std::array kKinds = {
               {"the friction", Dimension::number, 0.0, 10.0, "0 to 10"},
               {},
               0.0,
+              false},
+    KindWords{TerrainKind::cliff,
+              {"cliff:EDGE,DEPTH", "a square around the start; beyond its edges it is 1 m down",
+               "cliff:3m,50cm"},
+              {"the edge", Dimension::length, 1.2, kAny, "1.2 m or more"},
+              {"the depth", Dimension::length, 0.05, kAny, "0.05 m or more"},
+              1.0,
+              false},
+    KindWords{TerrainKind::arena,
+              {"arena:EDGE,SHARE",
+               "a square between walls and cliffs of 1 m; 4 % of its cells are pits or pillars",
+               "arena:4m,0.06"},
+              {"the edge", Dimension::length, 2.0, kAny, "2 m or more"},
+              {"the share", Dimension::number, 0.0, 0.5, "0 to 0.5"},
+              0.04,
               false}};
 
 const KindWords& words(TerrainKind kind) {

@@ -23,16 +23,20 @@ enum class TerrainKind : std::uint8_t {
   ramps,    ///< up and down in turn, ahead
   rubble,   ///< cells at random levels, each tilted at random, with ramps one sample wide between
   ice,      ///< squares of 0.6 m, half of which have another friction
+  cliff,    ///< a square around the origin; beyond its edges it goes down
+  arena,    ///< a square around the origin between walls and cliffs, with pits and pillars in it
 };
 
 /// One kind of ground with its dimensions. Terrains are sums of parts.
 struct TerrainPart {
   TerrainKind kind = TerrainKind::flat;
   /// Height [m] of boxes, steps, a step, one of the stairs, waves, ramps, rubble; width of a ditch
-  /// or edge of a stone [m]; angle of a slope [rad]; coefficient of friction of ice.
+  /// or edge of a stone, a cliff's square or an arena [m]; angle of a slope [rad]; coefficient of
+  /// friction of ice.
   double size = 0.0;
-  /// Depth of the stairs' treads, gap between stones, length of a wave or a ramp [m]; direction in
-  /// which a slope rises, from +x [rad].
+  /// Depth of the stairs' treads, gap between stones, length of a wave or a ramp, depth of a cliff
+  /// [m]; direction in which a slope rises, from +x [rad]; share of an arena's cells that are pits
+  /// or pillars.
   double extent = 0.0;
 
   friend bool operator==(const TerrainPart&, const TerrainPart&) = default;
@@ -41,7 +45,7 @@ struct TerrainPart {
 /// A terrain: the sum of its parts; none is flat ground.
 struct TerrainSpec {
   std::vector<TerrainPart> parts;
-  double cell = 0.3;  ///< edge of the cells of boxes, steps and rubble [m]
+  double cell = 0.3;  ///< edge of the cells of boxes, steps, rubble and arenas [m]
 
   TerrainSpec() = default;
   /// One part, with the default extent of its kind.

@@ -32,6 +32,10 @@ TEST(ParseTerrain, ReadsASecondDimensionOrTakesTheUsualOne) {
   EXPECT_EQ(only("slope:10deg,90deg"), (TerrainPart{Kind::slope, 10.0 * kDegree, 90.0 * kDegree}));
   EXPECT_EQ(only("stones:25cm,0"), (TerrainPart{Kind::stones, 0.25, 0.0}));
   EXPECT_EQ(only("ice:0.1"), (TerrainPart{Kind::ice, 0.1, 0.0}));
+  EXPECT_EQ(only("cliff:3m"), (TerrainPart{Kind::cliff, 3.0, 1.0}));
+  EXPECT_EQ(only("cliff:3m,20cm"), (TerrainPart{Kind::cliff, 3.0, 0.2}));
+  EXPECT_EQ(only("arena:4m"), (TerrainPart{Kind::arena, 4.0, 0.04}));
+  EXPECT_EQ(only("arena:4m,0.1"), (TerrainPart{Kind::arena, 4.0, 0.1}));
 }
 
 TEST(ParseTerrain, ReadsSums) {
@@ -82,6 +86,10 @@ TEST(ParseTerrain, RefusesWhatItDoesNotKnowAndSaysWhatWouldBeRight) {
            {"stones:0", "the edge must be 0.02 m or more"},
            {"stones:0.2,-0.1", "the gap must be 0 or more"},
            {"waves:0.1,0", "the length must be 0.05 m or more"},
+           {"cliff:1m", "the edge must be 1.2 m or more"},
+           {"cliff:3m,0", "the depth must be 0.05 m or more"},
+           {"arena:1m", "the edge must be 2 m or more"},
+           {"arena:3m,0.6", "the share must be 0 to 0.5"},
            {"ice:11", "the friction must be 0 to 10"}}) {
     try {
       (void)parse_terrain(text);
@@ -113,7 +121,7 @@ TEST(KnownTerrains, AreAllUnderstoodAndComplete) {
     EXPECT_EQ(known.syntax.substr(0, known.syntax.find(':')),
               known.example.substr(0, known.example.find(':')));
   }
-  EXPECT_EQ(kinds.size(), static_cast<std::size_t>(Kind::ice) + 1) << "ice is the last";
+  EXPECT_EQ(kinds.size(), static_cast<std::size_t>(Kind::arena) + 1) << "arena is the last";
 }
 
 }  // namespace

@@ -158,6 +158,55 @@ TEST(Terrain, HasStonesOverAnAbyss) {
   EXPECT_NEAR(on_stones / double{kCount}, 0.625 * 0.625, 0.015);
 }
 
+TEST(Terrain, OfACliffGoesDownBeyondTheEdgesOfASquare) {
+  const Terrain terrain(parse_terrain("cliff:3m,20cm"), 1);
+  for (const double along : {-1.49, -0.3, 0.0, 1.49})
+    for (const double sign : {-1.0, 1.0}) {
+      EXPECT_EQ(terrain.height_at(sign * 1.499, along), 0.0);
+      EXPECT_EQ(terrain.height_at(sign * 1.501, along), -0.2);
+      EXPECT_EQ(terrain.height_at(along, sign * 1.499), 0.0);
+      EXPECT_EQ(terrain.height_at(along, sign * 1.501), -0.2);
+    }
+  EXPECT_EQ(terrain.height_at(1e6, 0.0), -0.2) << "it does not come up again";
+}
+
+// 4 m are 14 cells, of which the outermost ring is at 1.8 to 2.1 m: every way out is barred.
+TEST(Terrain, OfAnArenaIsBetweenWallsAndCliffs) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const Terrain terrain(parse_terrain("arena:4m,0"), seed);
+    int walls = 0, cliffs = 0;
+    for (double t = -1.95; t < 2.0; t += 0.3)
+      for (const auto& [x, y] : {std::pair{1.95, t}, {-1.95, t}, {t, 1.95}, {t, -1.95}}) {
+        const double z = terrain.height_at(x, y);
+        EXPECT_EQ(std::abs(z), 1.0) << x << " " << y;
+        ++(z > 0.0 ? walls : cliffs);
+      }
+    EXPECT_GE(walls, 8) << "there are both";
+    EXPECT_GE(cliffs, 8);
+    RandomSequence random{.seed = seed};
+    for (int k = 0; k < 1000; ++k) {
+      const double x = random.uniform(-1.8, 1.8), y = random.uniform(-1.8, 1.8);
+      EXPECT_EQ(terrain.height_at(x, y), 0.0) << "a share of none";
+      EXPECT_EQ(terrain.height_at(2.1 + random.uniform(0.0, 50.0), y), -1.0) << "beyond";
+    }
+  }
+}
+
+TEST(Terrain, OfAnArenaHasPitsAndPillarsOnTheShareOfItsCells) {
+  const Terrain terrain(parse_terrain("arena:200m,0.1"), 7);
+  RandomSequence random{.seed = 8};
+  int pits = 0, pillars = 0;
+  constexpr int kCount = 20000;
+  for (int k = 0; k < kCount; ++k) {
+    const double z = terrain.height_at(random.uniform(-99.0, 99.0), random.uniform(-99.0, 99.0));
+    EXPECT_TRUE(z == 0.0 || std::abs(z) == 1.0);
+    pits += z < 0.0 ? 1 : 0;
+    pillars += z > 0.0 ? 1 : 0;
+  }
+  EXPECT_NEAR(pits / double{kCount}, 0.05, 0.006);
+  EXPECT_NEAR(pillars / double{kCount}, 0.05, 0.006);
+}
+
 // By differences, far from where the slope begins.
 TEST(Terrain, RisesInTheDirectionOfTheSlope) {
   for (const double direction : {0.0, 0.5, 1.5707963267948966, 3.0, -2.0}) {

@@ -133,6 +133,9 @@ class World::Impl {
   const GroundTruth& truth() const { return truth_; }
   const LegArray<LegJoints>& efforts() const { return robot_.servos().efforts(); }
   const Terrain& terrain() const { return ground_.terrain(); }
+  double range(const Vector3& from_W, const Vector3& direction_W, double longest) {
+    return ground_.range(from_W, direction_W, longest);
+  }
 
  private:
   void step(double to_come) {
@@ -234,5 +237,8 @@ void World::push(const Vector3& force_W, double seconds) { impl_->push(force_W, 
 const GroundTruth& World::truth() const { return impl_->truth(); }
 const LegArray<LegJoints>& World::efforts() const { return impl_->efforts(); }
 const Terrain& World::terrain() const { return impl_->terrain(); }
+double World::range(const Vector3& from_W, const Vector3& direction_W, double longest) const {
+  return impl_->range(from_W, direction_W, longest);
+}
 
 }  // namespace hexagait::sim3d

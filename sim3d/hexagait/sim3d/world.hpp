@@ -161,6 +161,14 @@ class World : public Plant {
 
   [[nodiscard]] const Terrain& terrain() const;
 
+  /// How far it is to the ground or to a block, the robot itself left out: for simulated sensors and
+  /// for referees.
+  /// @param from_W       world axes [m]
+  /// @param direction_W  of length 1
+  /// @returns [m]; ∞ if it is farther than `longest`
+  [[nodiscard]] double range(const Vector3& from_W, const Vector3& direction_W,
+                             double longest) const;
+
  private:
   class Impl;
   std::unique_ptr<Impl> impl_;

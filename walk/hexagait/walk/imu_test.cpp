@@ -64,7 +64,10 @@ TEST(Imu, IsOnlyThereIfTheRobotHasOne) {
 class RestingPlant final : public Plant {
  public:
   PlantStatus read(Measurement& measurement) override {
-    measurement = {time, LegArray<LegJoints>(6, LegJoints::Zero()), LegArray<bool>(6, true),
+    measurement = {time,
+                   LegArray<LegJoints>(6, LegJoints::Zero()),
+                   LegArray<bool>(6, true),
+                   {},
                    InertialMeasurement{{0.0, 0.0, 9.81}, {0.0, 0.0, time}}};
     time += kDt;
     return PlantStatus::fresh;

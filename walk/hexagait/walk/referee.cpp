@@ -83,14 +83,16 @@ void Referee::observe(const TickRecord& record, const GroundTruth& truth) {
 }
 
 void Referee::follow_path(const TickRecord& record, const GroundTruth& truth) {
-  if (!(record.heading == heading_)) {
+  const bool is_new = !(record.heading == heading_);
+  if (is_new) {
     distance_before_ += deviation_.progress;
     heading_ = record.heading;
     path_.follow(heading_);
-    progress_seen_ = 0.0;
     turned_before_ = turned_;
   }
   deviation_ = path_.deviation(in_plane(truth.X_WB));
+  // A base beside the last curve may be behind the beginning of the next one.
+  if (is_new) progress_seen_ = deviation_.progress;
   const double lateral = std::abs(deviation_.lateral);
   lateral_sum_ += lateral;
   summary_.lateral_max = std::max(summary_.lateral_max, lateral);

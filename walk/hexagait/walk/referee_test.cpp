@@ -195,6 +195,22 @@ TEST(Referee, DoesNotCallATurnOfSeveralLapsStuck) {
   EXPECT_FALSE(turning.referee.stuck());
 }
 
+// 50 cm to the right of its line it is to go to the left, along a curve that begins on the line: it is
+// behind the beginning, and makes progress all the same, 1 cm/s for 15 s.
+TEST(Referee, DoesNotCallARobotStuckThatBeginsBehindTheNextCurve) {
+  HandMadeWalk walk;
+  walk.truth.X_WB.p.y() = -0.5;
+  walk.tick();
+  walk.record.heading = Heading::straight(0.5 * std::numbers::pi);
+  for (int k = 0; k < 7500; ++k) {
+    walk.truth.X_WB.p.y() = -0.5 + 0.01 * kDt * k;
+    walk.tick();
+  }
+  EXPECT_FALSE(walk.referee.stuck());
+  walk.tick(5500);
+  EXPECT_TRUE(walk.referee.stuck()) << "now it stands";
+}
+
 // Rocking by 4 cm is no progress.
 TEST(Referee, CallsARobotThatOnlyRocksStuck) {
   HandMadeWalk rocking;

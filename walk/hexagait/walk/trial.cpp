@@ -54,9 +54,11 @@ Summary run_trial(footstep_gen::Walker& walker, Plant& plant, const GroundTruth&
     if (command.duty_factor)
       walker.set_stepping(
           {.stepping = gait_state::Stepping::wave, .duty_factor = *command.duty_factor});
+    const heading_control::Heading heading =
+        options.steer ? options.steer(walker.record()) : command.heading;
     const auto before = std::chrono::steady_clock::now();
     const footstep_gen::TickRecord& record =
-        walker.tick(status, measurement, {command.heading, options.speed});
+        walker.tick(status, measurement, {heading, options.speed});
     tick_times.push_back(
         std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - before)
             .count());

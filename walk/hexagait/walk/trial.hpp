@@ -10,9 +10,13 @@
 
 namespace hexagait::walk {
 
+/// Says where to go before each tick, from the controller's record of the last one.
+using Steer = std::function<heading_control::Heading(const footstep_gen::TickRecord&)>;
+
 struct TrialOptions {
-  Schedule schedule;                                          ///< commands over time, at least one
-  double seconds = 40.0;                                      ///< time limit [s]
+  Schedule schedule;      ///< commands over time, at least one
+  Steer steer;            ///< if there is one, the schedule's headings do not matter
+  double seconds = 40.0;  ///< time limit [s]
   double distance = std::numeric_limits<double>::infinity();  ///< path limit [m]
   /// Bound of the speed along the path, at the farthest workspace centre [m/s].
   double speed = std::numeric_limits<double>::infinity();

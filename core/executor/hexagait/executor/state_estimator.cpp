@@ -52,6 +52,7 @@ RobotState StateEstimator::start(const Measurement& measurement, RestsOn rests_o
 void StateEstimator::update(RobotState& state, const Measurement& measurement,
                             const Executor& executor, double dt) noexcept {
   state.time = measurement.time;
+  state.inclination = measurement.inclination;
   for (LegId i = 0; i < model_->num_legs(); ++i) {
     state.q[i] = sensors_.joint_feedback ? own_joints(model_->legs[i], measurement.q[i])
                                          : executor.targets().q[i];

@@ -191,6 +191,8 @@ constexpr Parameter kParameters[] = {
     {"tolerance.in_a_row", "m", 0.001, size, [](P& p) -> double& { return p.tolerance.in_a_row; }},
     {"tolerance.turn_arm", "m", 0.5, size, [](P& p) -> double& { return p.tolerance.turn_arm; }},
     {"tolerance.tilt_time", "s", 15.5, time, [](P& p) -> double& { return p.tolerance.tilt_time; }},
+    {"tolerance.level_time", "s", 12.0, time,
+     [](P& p) -> double& { return p.tolerance.level_time; }},
 
     {"script.profile_height", "m", 0.364, reach,
      [](P& p) -> double& { return p.script.profile_height; }},

@@ -151,6 +151,9 @@ struct ToleranceParams {
   /// than a step. Shorter: the body's own accelerations count as tilt. Longer: a drifting gyroscope
   /// does [s].
   double tilt_time = kDerived;
+  /// τ of (odometry 5): in so long odometry takes over what an inclinometer reads [s]. Shorter: noise and
+  /// sway of the inclinometer reach the feet. Longer: an error of tilt lasts.
+  double level_time = kDerived;
 };
 
 /// Durations, speeds and tolerances of scripted actions.

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <hexagait/math/trigonometry.hpp>
 #include <hexagait/params/params_for.hpp>
 #include <hexagait/plant/odometry.hpp>
@@ -11,6 +12,16 @@
 
 namespace hexagait {
 namespace {
+
+// exp(turn) R, to second order and then made orthonormal: turn is some 1e-3 rad per tick.
+Matrix3 turned(const Matrix3& R, const Vector3& turn) {
+  Matrix3 result;
+  for (int k = 0; k < 3; ++k) {
+    const Vector3 v = R.col(k);
+    result.col(k) = v + turn.cross(v + 0.5 * turn.cross(v));
+  }
+  return orthonormalised(result);
+}
 
 // One Gauss-Newton step of (odometry 1) from X: accurate to second order in the motion of one tick;
 // the next tick corrects the remainder.
@@ -47,13 +58,7 @@ Pose registered(const Pose& X, const LegArray<Vector3>& p_BF, const LegArray<Vec
       -products.y(), -products.x(), sum - squares.z();
   const Vector3 turn = inertia.inverse() * moment;
 
-  // exp(turn) to second order, then made orthonormal: turn is some 1e-3 rad per tick.
-  Matrix3 R;
-  for (int k = 0; k < 3; ++k) {
-    const Vector3 v = X.R.col(k);
-    R.col(k) = v + turn.cross(v + 0.5 * turn.cross(v));
-  }
-  R = orthonormalised(R);
+  const Matrix3 R = turned(X.R, turn);
   return {R, centroid + residual + R * (X.R.transpose() * (X.p - centroid))};
 }
 
@@ -141,7 +146,7 @@ Vector2 slope_of(const Eigen::Matrix2d& spread, const Vector2& rise, double in_a
 }
 
 // That turns the unit vector a into b on the shortest way [rad].
-Vector3 rotation_vector_between(const Vector3& a, const Vector3& b) {
+Vector3 rotation_between(const Vector3& a, const Vector3& b) {
   const Vector3 axis = a.cross(b);
   const double sine = axis.norm(), cosine = a.dot(b);
   return sine > 0.0 ? Vector3(axis * (portable::atan2(sine, cosine) / sine)) : Vector3::Zero();
@@ -232,6 +237,7 @@ void Odometry::update(RobotState& state, const LegArray<double>& footing, double
     off_anchor_O_[i] = state.p_OF[i] - anchor_O_[i];
     if (footing[i] > 0.0) state.print_O[i] = anchor_O_[i];
   }
+  lean(state, dt);
   for (LegId i = 0; i < q_before_.size(); ++i) {
     q_before_[i] = state.q[i];
     trig_before_[i] = state.trig[i];
@@ -241,7 +247,6 @@ void Odometry::update(RobotState& state, const LegArray<double>& footing, double
 void Odometry::level(RobotState& state, const Vector3& up_B,
                      const LegArray<double>& footing) noexcept {
   const Vector3 up_O = X_OB_.R * up_B;
-  const Matrix3 R = rotation(rotation_vector_between(up_O, Vector3::UnitZ()));
   Vector3 middle = Vector3::Zero();
   double weight = 0.0;
   for (LegId i = 0; i < footing.size(); ++i) {
@@ -249,14 +254,30 @@ void Odometry::level(RobotState& state, const Vector3& up_B,
     weight += footing[i];
   }
   middle = weight > 0.0 ? Vector3(middle / weight) : X_OB_.p;
-  const auto turned = [&](const Vector3& p) { return Vector3(middle + R * (p - middle)); };
-  X_OB_ = {orthonormalised(R * X_OB_.R), turned(X_OB_.p)};
-  state.X_OB = X_OB_;
-  for (LegId i = 0; i < footing.size(); ++i) {
-    anchor_O_[i] = turned(anchor_O_[i]);
-    off_anchor_O_[i] = R * off_anchor_O_[i];
-    state.p_OF[i] = turned(state.p_OF[i]);
-    state.print_O[i] = turned(state.print_O[i]);
+  turn(state, rotation_about(middle, rotation(rotation_between(up_O, Vector3::UnitZ()))));
+}
+
+// (odometry 5)
+void Odometry::lean(RobotState& state, double dt) noexcept {
+  const auto& [roll, pitch] = state.inclination;
+  if (!std::isfinite(roll) && !std::isfinite(pitch)) return;
+  const Vector3 rpy = roll_pitch_yaw(X_OB_.R);
+  const Vector3 left(-portable::sin(rpy.z()), portable::cos(rpy.z()), 0.0);
+  Vector3 way = Vector3::Zero();
+  if (std::isfinite(roll)) way += dt / tolerance_.level_time * (roll - rpy.x()) * X_OB_.R.col(0);
+  if (std::isfinite(pitch)) way += dt / tolerance_.level_time * (pitch - rpy.y()) * left;
+  turn(state, rotation_about(X_OB_.p, turned(Matrix3::Identity(), way)));
+}
+
+// All that is known in odom turns along, or the footholds would pull the body back.
+void Odometry::turn(RobotState& state, const Pose& about) noexcept {
+  state.X_OB = X_OB_ = {orthonormalised(about.R * X_OB_.R), about * X_OB_.p};
+  for (LegId i = 0; i < anchor_O_.size(); ++i) {
+    state.p_OF[i] = about * state.p_OF[i];
+    state.print_O[i] = about * state.print_O[i];
+    state.slide_O[i] = about.R * state.slide_O[i];
+    anchor_O_[i] = about * anchor_O_[i];
+    off_anchor_O_[i] = about.R * off_anchor_O_[i];
   }
 }
 

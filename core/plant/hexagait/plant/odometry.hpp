@@ -27,8 +27,15 @@ namespace hexagait {
 ///
 /// Without it, footholds that seem to slide follow the noise, and the pose strays with them.
 /// Without (odometry 2), a tibia that turns by 15° on a foot of 2 cm would look like 5 mm of slip.
-/// Odometry does not sense gravity: it assumes that the robot starts on level ground, and where a robot
-/// tips about two feet, its tilt strays. Where up is measured, level() sets it right.
+/// Odometry does not sense gravity: it assumes that the robot starts on level ground. If feet lose the
+/// ground until those that stand are in a row, how the body tilts about that row is not seen, and the
+/// footholds of the legs that come down then make the error last. Where up is measured, level() sets it right. An inclinometer
+/// takes it back slowly: odom turns about the body's origin by the measured less the estimated roll and
+/// pitch, as much as is measured,
+///
+///     dφ/dt = (φ_measured − φ) / τ                                                    (odometry 5)
+///
+/// with τ a few steps, over which the noise of the inclinometer and the body's swaying average out.
 /// The robot model must outlive the odometry.
 class Odometry {
  public:
@@ -59,6 +66,8 @@ class Odometry {
 
  private:
   [[nodiscard]] Pose pose_over_feet(const RobotState& state) const;
+  void lean(RobotState& state, double dt) noexcept;
+  void turn(RobotState& state, const Pose& about) noexcept;
   void measure_noise(const RobotState& state, const LegArray<double>& footing) noexcept;
   [[nodiscard]] double slide_tolerance2() const noexcept;
   void roll(const RobotState& state, LegId leg, const Vector3& rotation_B) noexcept;

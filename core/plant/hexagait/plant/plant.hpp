@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <hexagait/math/leg.hpp>
 #include <hexagait/model/robot_model.hpp>
+#include <hexagait/plant/inclination.hpp>
 #include <optional>
 
 namespace hexagait {
@@ -18,9 +19,10 @@ struct InertialMeasurement {
 /// What a robot measures at one instant: its joints, and which feet touch something; with an inertial
 /// measurement unit, also what that feels.
 struct Measurement {
-  double time = 0.0;       ///< the plant's clock [s]
-  LegArray<LegJoints> q;   ///< joint positions [rad]
-  LegArray<bool> contact;  ///< the foot touches something (load above the sensor's threshold)
+  double time = 0.0;             ///< the plant's clock [s]
+  LegArray<LegJoints> q;         ///< joint positions [rad]
+  LegArray<bool> contact;        ///< the foot touches something (load above the sensor's threshold)
+  Inclination inclination = {};  ///< if there is an inclinometer
   std::optional<InertialMeasurement> imu = {};
 };
 

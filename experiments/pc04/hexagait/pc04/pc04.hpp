@@ -19,6 +19,7 @@ Outcome fig9(const ExperimentContext& context, figures::StagedFiles& files);
 Outcome fig10(const ExperimentContext& context, figures::StagedFiles& files);
 Outcome fig11(const ExperimentContext& context, figures::StagedFiles& files);
 Outcome fig12(const ExperimentContext& context, figures::StagedFiles& files);
+Outcome navigation(const ExperimentContext& context, figures::StagedFiles& files);
 Outcome wave_family(const ExperimentContext& context, figures::StagedFiles& files);
 
 }  // namespace hexagait::experiments

@@ -1,13 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 #include <hexagait/sim3d/detail/ground.hpp>
+#include <limits>
 
 namespace hexagait::sim3d::detail {
 namespace {
 
-constexpr double kDepth = 1.0;      // of the ground below the lowest level [m]
-constexpr int kPatchSamples = 257;  // along an edge of the heightfield patch
+constexpr double kDepth = 1.0;        // of the ground below the lowest level [m]
+constexpr int kPatchSamples = 257;    // along an edge of the heightfield patch
+constexpr double kRayPiece = 0.25;    // [m]
+constexpr double kRayOverlap = 1e-6;  // [m]
 
 double width(const CellAxis& axis, int i) {
   return axis.odd > 0.0 ? axis.edge(i + 1) - axis.edge(i) : axis.even;
@@ -22,7 +26,8 @@ int collide_pair(dGeomID geom, dGeomID other, std::span<dContactGeom> contacts) 
 
 }  // namespace
 
-Ground::Ground(const Terrain& terrain, std::span<const Block> blocks) : terrain_(terrain) {
+Ground::Ground(const Terrain& terrain, std::span<const Block> blocks)
+    : terrain_(terrain), ray_(dCreateRay(nullptr, 1.0)) {
   switch (terrain.surface()) {
     case Terrain::Surface::plane:
       geom_.reset(dCreatePlane(nullptr, 0, 0, 1, 0));
@@ -46,6 +51,23 @@ double Ground::box_height() const { return terrain_.highest() - terrain_.lowest(
 int Ground::collide(dGeomID geom, std::span<dContactGeom> contacts) {
   const int count = collide_terrain(geom, contacts);
   return count + collide_blocks(geom, contacts.subspan(static_cast<std::size_t>(count)));
+}
+
+double Ground::range(const Vector3& from, const Vector3& direction, double longest) {
+  // In short pieces, each of which is above few cells. They overlap: a ray that began in a box, by
+  // rounding, would meet its far side.
+  std::array<dContactGeom, 64> contacts;
+  for (double begin = 0.0; begin < longest; begin += kRayPiece) {
+    const Vector3 p = from + begin * direction;
+    dGeomRaySetLength(ray_.get(), std::min(kRayPiece, longest - begin) + kRayOverlap);
+    dGeomRaySet(ray_.get(), p.x(), p.y(), p.z(), direction.x(), direction.y(), direction.z());
+    const auto count = static_cast<std::size_t>(collide(ray_.get(), contacts));
+    if (count == 0) continue;
+    const auto met = std::span(contacts).first(count);
+    const double range = begin + std::ranges::min_element(met, {}, &dContactGeom::depth)->depth;
+    if (range <= longest) return range;
+  }
+  return std::numeric_limits<double>::infinity();
 }
 
 int Ground::collide_terrain(dGeomID geom, std::span<dContactGeom> contacts) {

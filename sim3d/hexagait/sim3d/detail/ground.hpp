@@ -26,6 +26,11 @@ class Ground {
   /// @returns their number
   int collide(dGeomID geom, std::span<dContactGeom> contacts);
 
+  /// How far it is to the ground, or to a block, along a ray.
+  /// @param direction  of length 1
+  /// @returns [m]; ∞ if it is farther than `longest`
+  double range(const Vector3& from, const Vector3& direction, double longest);
+
   [[nodiscard]] const Terrain& terrain() const { return terrain_; }
 
   static constexpr int kContactsPerPair = 4;
@@ -45,6 +50,7 @@ class Ground {
   int patch_a_ = 0, patch_b_ = 0;  // terrain sample at the heightfield patch's lowest corner
   HeightfieldDataPtr heightfield_data_;
   GeomPtr geom_;
+  GeomPtr ray_;
   std::vector<GeomPtr> blocks_;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <hexagait/sim/random.hpp>
 #include <hexagait/sim3d/detail/ground.hpp>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,8 +14,9 @@ namespace hexagait::sim3d::detail {
 namespace {
 
 std::vector<std::string> examples() {
-  std::vector<std::string> all = {"boxes:0.3", "step:-0.3", "stairs:-0.1",
-                                  "slope:20deg,100deg+boxes:0.1", "ice:0.1+stones:0.4"};
+  std::vector<std::string> all = {
+      "boxes:0.3",          "step:-0.3",    "stairs:-0.1",       "slope:20deg,100deg+boxes:0.1",
+      "ice:0.1+stones:0.4", "arena:5m,0.5", "arena:4m+waves:5cm"};
   for (const TerrainDescription& known : known_terrains()) all.emplace_back(known.example);
   return all;
 }
@@ -49,6 +51,40 @@ TEST_P(GroundOfKind, IsMetByARayAtTheHeightOfTheTerrain) {
     ASSERT_EQ(ground.collide(ray.get(), contacts), 1) << x << " " << y;
     EXPECT_NEAR(contacts[0].pos[2], ground.terrain().height_at(x, y), 1e-9) << x << " " << y;
   }
+}
+
+// The nearest of what a ray meets, from any side: by marching along the height. A heightfield has
+// steep faces, and all others vertical ones: the march is right to within its steps.
+TEST_P(GroundOfKind, IsMetByAnObliqueRayWhereTheTerrainRisesAboveIt) {
+  constexpr double kStep = 0.5e-3, kLongest = 1.5;
+  Ground ground(Terrain(parse_terrain(GetParam()), 17));
+  const Terrain& terrain = ground.terrain();
+  RandomSequence random{.seed = 5};
+  int met = 0;
+  for (int k = 0; k < 200; ++k) {
+    const double x = random.uniform(-3.0, 3.0), y = random.uniform(-3.0, 3.0);
+    const Vector3 from(x, y, terrain.height_at(x, y) + random.uniform(0.02, 0.3));
+    const double yaw = random.uniform(-3.14, 3.14), down = random.uniform(0.0, 1.2);
+    const Vector3 direction(std::cos(down) * std::cos(yaw), std::cos(down) * std::sin(yaw),
+                            -std::sin(down));
+    double marched = std::numeric_limits<double>::infinity();
+    for (double s = 0.0; s <= kLongest && std::isinf(marched); s += kStep) {
+      const Vector3 p = from + s * direction;
+      if (p.z() < terrain.height_at(p.x(), p.y())) marched = s;
+    }
+    const double range = ground.range(from, direction, kLongest);
+    if (std::isinf(range) || std::isinf(marched)) {
+      EXPECT_GT(std::min(range, marched), kLongest - 2.0 * kStep) << k;
+    } else {
+      ++met;
+      // A ray may graze an edge within one step of the march.
+      const Vector3 p = from + (range + 1e-6) * direction;
+      const bool grazes = range < marched - kStep && terrain.height_at(p.x(), p.y()) >= p.z();
+      if (grazes) continue;
+      EXPECT_NEAR(range, marched, 2.0 * kStep) << k;
+    }
+  }
+  EXPECT_GT(met, 50);
 }
 
 // A ball of radius r whose centre is at height r − d above level ground goes d deep, and the ground
@@ -125,10 +161,28 @@ TEST(Ground, HasBlocksOnIt) {
       highest = std::max(highest, contact.pos[2]);
     EXPECT_NEAR(highest, top, 1e-12) << x << " " << y;
   }
+  EXPECT_NEAR(ground.range({1.5, 1.0, 0.05}, Vector3::UnitX(), 1.0), 0.4, 1e-12);
+  EXPECT_EQ(ground.range({1.5, 1.0, 0.05}, Vector3::UnitX(), 0.39),
+            std::numeric_limits<double>::infinity());
   dGeomSetPosition(ball.get(), 1.881, 1.0, 0.05);
   ASSERT_EQ(ground.collide(ball.get(), contacts), 1);
   EXPECT_NEAR(contacts[0].depth, 0.001, 1e-12);
   EXPECT_NEAR(contacts[0].normal[0], -1.0, 1e-12);
+}
+
+// The ray is looked at in pieces of 0.25 m. A face where one ends is met too: if a ray began behind it,
+// by rounding, it would meet the far side.
+TEST(Ground, IsMetByARayThatEndsAtItsFaceByRounding) {
+  initialise_ode();
+  RandomSequence random{.seed = 3};
+  for (int k = 0; k < 1000; ++k) {
+    const double face = random.uniform(-3.0, 3.0), yaw = random.uniform(-0.5, 0.5);
+    const std::array blocks = {Block{{face + 0.5, 0.0, 0.5}, {1.0, 20.0, 1.0}}};
+    Ground ground(Terrain(TerrainSpec(), 1), blocks);
+    const Vector3 direction(std::cos(yaw), std::sin(yaw), 0.0);
+    const Vector3 from = Vector3(face, 0.0, 0.5) - 0.25 * (1 + k % 3) * direction;
+    EXPECT_NEAR(ground.range(from, direction, 2.0), 0.25 * (1 + k % 3), 1e-9);
+  }
 }
 
 TEST(Ground, PutsNoMoreContactsThanThereIsRoomFor) {
