@@ -64,6 +64,8 @@ Json json(const PlantSetup& plant) {
   for (const PlantNumber& number : plant_numbers()) json[name_with_unit(number)] = number.of(plant);
   json["velocity_limits"] = plant.world.velocity_limits;
   json["positions_only"] = plant.faults.positions_only;
+  json["faults"] = Json::array();
+  for (const walk::PartFault& fault : plant.parts) json["faults"].push_back(fault.text);
   return json;
 }
 
