@@ -126,6 +126,7 @@ Json results(const walk::Summary& s) {
 Json results(const WalkReport& report) {
   Json json = results(report.summary);
   json["stuck_because"] = report.hindrance.empty() ? Json(nullptr) : Json(report.hindrance);
+  json["found"] = report.found;
   if (!report.side_view) return json;
   json["underside_contact_s"] = report.side_view->underside_time;
   json["blocked_advances"] = report.side_view->blocked;
