@@ -108,6 +108,7 @@ ActionInput action_input(const ActionArguments& arguments) {
   input.terrain = sim3d::parse_terrain(arguments.terrain);
   input.controller = controller(arguments.controller);
   input.plant = plant(arguments.plant);
+  input.plant.parts = resolved(std::move(input.plant.parts), input.robot);
   if (input.plant.faults.positions_only && input.controller == WholeBodyController::virtual_model)
     throw InvalidInput(
         "--controller is virtual_model, which drives legs by efforts; --servo position-only takes "

@@ -207,6 +207,7 @@ recording::Simulation simulation(const WalkArguments& arguments, const RobotMode
   result.sensors = {.joint_feedback = !arguments.no_joint_feedback,
                     .foot_contacts = !arguments.no_contacts};
   result.plant = plant(arguments.plant);
+  result.plant.parts = resolved(std::move(result.plant.parts), robot);
   result.gait = gait(arguments);
   if (!arguments.speed.empty()) result.trial.speed = number("--speed", arguments.speed, kSpeed);
   if (!arguments.random_posture.empty())

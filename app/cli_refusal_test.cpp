@@ -48,6 +48,10 @@ TEST_F(Cli, RefusesPlantsThatAreNoneAndTellsAllAtOnce) {
           {"--joint-noise is '-1mrad'; it must be an angle from 0 to 0.2 rad",
            "--late-ticks is '200%'; it must be a share from 0 to 1",
            "--sensing-delay is '2s'; it must be a time from 0 to 1 s"});
+  refuses("walk --fault dead:LX", {"'dead:LX'", "no leg 'LX'", "LF, RF, LM, RM, LR, RR"});
+  refuses("walk --fault ded:LF --fault weak:LF_knee:2",
+          {"--fault", "did you mean 'dead'?", "'2' must be a share from 0 to 1"});
+  refuses("run nod --fault dead:7", {"no leg '7'"});
   refuses("walk --plant real+frction:1", {"--plant", "did you mean 'friction'?"});
   refuses("walk --servo hobby", {"--servo", "'hobby'", "position_only"});
   refuses("run nod --velocity-limits none", {"--velocity-limits", "'none'", "off or on"});

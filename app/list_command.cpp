@@ -152,6 +152,19 @@ List plants() {
   return list;
 }
 
+List faults() {
+  List list;
+  for (const walk::PartFaultWords& kind : walk::part_fault_kinds()) {
+    list.text += fmt::format("{:<24} {}\n", kind.syntax, kind.meaning);
+    list.json.push_back({{"syntax", kind.syntax}, {"meaning", kind.meaning}});
+  }
+  list.text +=
+      "\nAll but a load may end in @TIME, that of the walk from which on it is there: dead:LF@5s. "
+      "LEG and\n"
+      "JOINT are names of hexagait robot. Plants of sweeps have faults too: real+dead:LF@5s.\n";
+  return list;
+}
+
 List experiments_list() {
   List list;
   for (const experiments::Experiment& experiment : experiments::experiments()) {
@@ -169,11 +182,9 @@ struct Kind {
 }  // namespace
 
 int list_command(const std::string& what, bool json) {
-  const Kind kinds[] = {{"robots", robots},
-                        {"actions", actions},
-                        {"terrains", terrains},
-                        {"plants", plants},
-                        {"experiments", experiments_list}};
+  const Kind kinds[] = {{"robots", robots},     {"actions", actions},
+                        {"terrains", terrains}, {"plants", plants},
+                        {"faults", faults},     {"experiments", experiments_list}};
   std::vector<std::string> names;
   for (const Kind& kind : kinds) {
     names.push_back(kind.name);
@@ -183,8 +194,8 @@ int list_command(const std::string& what, bool json) {
     return kOk;
   }
   throw InvalidInput(
-      fmt::format("there is no list of '{}'{}; there are robots, actions, terrains, plants and "
-                  "experiments",
+      fmt::format("there is no list of '{}'{}; there are robots, actions, terrains, plants, "
+                  "faults and experiments",
                   what, did_you_mean(what, names)));
 }
 

@@ -158,7 +158,7 @@ void add_robot(CLI::App& app, RobotArguments& a) {
 void add_list(CLI::App& app, ListArguments& a) {
   CLI::App* list = app.add_subcommand("list", "List what comes with hexagait, a line each");
   list->add_option("what", a.what, "What to list")
-      ->type_name("robots|actions|terrains|plants|experiments")
+      ->type_name("robots|actions|terrains|plants|faults|experiments")
       ->required();
   list->add_flag("--json", a.json, "Print one JSON array");
   list->footer(

@@ -46,7 +46,7 @@ const char* type_name(PlantUnit unit) {
 }  // namespace
 
 bool PlantArguments::given() const {
-  return plant != "ideal" ||
+  return plant != "ideal" || !faults.empty() ||
          std::ranges::any_of(values, [](const auto& value) { return !value.second.empty(); });
 }
 
@@ -57,6 +57,12 @@ void add_plant(CLI::App& command, PlantArguments& a) {
                   "plants; the options below override it")
       ->type_name("PLANT")
       ->capture_default_str();
+  command
+      .add_option("--fault", a.faults,
+                  "A fault of one leg, joint or sensor, a load or a push, such as dead:LF@5s: see "
+                  "hexagait list faults; may be repeated")
+      ->type_name("FAULT")
+      ->allow_extra_args(false);
   for (const recording::PlantNumber& number : recording::plant_numbers())
     command
         .add_option(option(number.name), a.values[number.name],
@@ -81,6 +87,11 @@ recording::PlantSetup plant(const PlantArguments& arguments) {
     const std::string problem = set(setup, name, value, option(name));
     if (!problem.empty()) problems.push_back(problem);
     setup.name = fmt::format("{}{}:{}", setup.name == "ideal" ? "" : setup.name + "+", name, value);
+  }
+  try {
+    add_faults(setup, arguments.faults);
+  } catch (const InvalidInput& error) {
+    problems.push_back(fmt::format("--fault: {}", error.what()));
   }
   if (!problems.empty()) throw InvalidInput(fmt::format("{}", fmt::join(problems, "\n")));
   return setup;

@@ -13,6 +13,7 @@ namespace hexagait::app {
 /// an option that was not given.
 struct PlantArguments {
   std::string plant = "ideal";
+  std::vector<std::string> faults = {};  ///< of single parts
   std::map<std::string, std::string> values = {};
 
   [[nodiscard]] bool given() const;  ///< anything that is not the ideal plant

@@ -68,9 +68,12 @@ walk::ActionSummary simulate(const ActionInput& input, double seconds, Figure& f
   sim3d::WorldParams params = recording::world_params(input.plant, input.params.plant);
   params.seed = input.seed;
   params.start_height = input.start.height;
-  sim3d::World world(input.robot, input.terrain, params, input.start.q);
+  sim3d::World world(with_loads(input.robot, input.plant.parts), input.terrain, params,
+                     input.start.q);
   RunnerParams runner_params = input.runner();
-  walk::FaultyPlant plant(world, input.robot, input.plant.faults, params.control_dt, input.seed);
+  walk::PartFaultPlant broken(world, input.plant.parts, recording::body_of(world),
+                              params.control_dt, 0.0, input.seed);
+  walk::FaultyPlant plant(broken, input.robot, input.plant.faults, params.control_dt, input.seed);
   runner_params.executor.controller = input.controller;
   ActionRunner runner(input.robot, runner_params);
   walk::ActionTrialOptions options;

@@ -144,6 +144,7 @@ int walk_command(const WalkArguments& arguments) {
   }
   report.interrupted = interrupted;
   if (report.summary.stuck) report.hindrance = in_words(report.summary.hindrance, robot);
+  report.found = found_in_words(report.summary, robot);
   print_out(in_print(arguments, report, writer));
   writer.finish(report);
   if (report.interrupted) return kInterrupted;

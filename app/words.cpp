@@ -129,6 +129,7 @@ std::string in_words(const WalkReport& report) {
                     std::abs(degrees(s.odometry_heading))));
   }
   if (!report.hindrance.empty()) add(text, "stuck", report.hindrance);
+  for (const std::string& found : report.found) add(text, "found", found);
   if (report.simulation.plant.name != "ideal") add(text, "plant", report.simulation.plant.name);
   add(text, "gait", gait_state::to_string(report.simulation.gait));
   add(text, "steps", fmt::format("{}; {}", s.steps, gait(s)));

@@ -35,7 +35,7 @@ constexpr double kUsableShare = 0.98;
 // through the footprints (docs/theory.md 3 explains why not the printed gradients).
 BaseGoal pose_adaptation(const BaseAutoCommand& command, const PoseAdaptationInput& in) {
   const posture::PlaneFit plane =
-      posture::plane_fit(in.footprint_BF, in.p_BC, LegSet::all(in.p_BC.size()));
+      posture::plane_fit(in.footprint_BF, in.p_BC, without(LegSet::all(in.p_BC.size()), in.lost));
   const double advance = posture::arc_optimum(in.p_BF, in.p_BC, in.support, command.path).advance;
   return {advance, plane.height, plane.roll, plane.pitch};
 }
@@ -70,12 +70,12 @@ struct SupportEdges {
   [[nodiscard]] bool has_inside() const { return edges.size() > 2; }
 };
 
-SupportEdges support_edges(const RobotModel& model, const PathArc& arc, const Executor& executor,
-                           LegSet support, const Matrix3& R_OB) {
-  const auto [feet, p_M] = stance_from_above(model, executor, R_OB);
+SupportEdges support_edges(const PathArc& arc, const Executor& executor, LegSet support,
+                           const Matrix3& R_OB) {
+  const auto [feet, p_M] = stance_from_above(executor, R_OB);
   const SupportPolygon polygon = support_polygon(feet, support);
 
-  const Vector2 along = direction_at(arc, model.p_BM);
+  const Vector2 along = direction_at(arc, executor.p_BM());
   const Vector2 direction = (R_OB * Vector3(along.x(), along.y(), 0.0)).head<2>();
   SupportEdges edges{InlineArray<Edge, kMaxLegs>(polygon.size)};
   for (int k = 0; k < polygon.size; ++k) {
@@ -165,9 +165,10 @@ gait_state::GaitInput gait_input(const PathArc& arc, const Executor& executor,
   const Stance& stance = executor.stance();
   const int n = stance.p_BC.size();
   const FromBody from_body(X_BG);
-  gait_state::GaitInput input{LegArray<double>(n, 0.0), LegSet(), LegSet()};
+  gait_state::GaitInput input{LegArray<double>(n, 0.0), LegSet(), LegSet(), executor.lost()};
   const LegSet support = executor.support();
   for (LegId i = 0; i < n; ++i) {
+    if (input.lost.contains(i)) continue;
     const Vector3 p_GF = from_body(executor.legs()[i].p_BF);
     input.lag[i] = lag(arc, i, p_GF);
     input.airborne.set(i, !support.contains(i));
@@ -181,9 +182,11 @@ double path_to_come(const PathArc& arc, const Executor& executor, double half_st
                     const Pose* X_BG) noexcept {
   const LegSet support = executor.support();
   const FromBody from_body(X_BG);
-  LegArray<Vector3> p_GF(arc.p_BC.size());
-  for (LegId i = 0; i < p_GF.size(); ++i)
+  LegArray<Vector3> p_GF = arc.p_BC;  // of lost legs: no lag
+  for (LegId i = 0; i < p_GF.size(); ++i) {
+    if (executor.lost().contains(i)) continue;
     p_GF[i] = support.contains(i) ? from_body(executor.legs()[i].p_BF) : aep(arc, i, half_step);
+  }
   return std::max(0.0, posture::arc_optimum(p_GF, arc.p_BC, support, arc.per_metre).advance);
 }
 
@@ -209,7 +212,7 @@ BaseAutoCommand base_auto(const RobotModel& model, const PathArc& arc, const Exe
                           const Pose& X_OB, const PlanarTwist& deviation,
                           const StepParams& params) noexcept {
   const LegSet support = executor.support();
-  const SupportEdges polygon = support_edges(model, arc, executor, support, X_OB.R);
+  const SupportEdges polygon = support_edges(arc, executor, support, X_OB.R);
   const Stance& stance = executor.stance();
   BaseAutoCommand base;
   base.adaptation = pose_adaptation;

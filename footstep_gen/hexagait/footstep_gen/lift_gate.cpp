@@ -88,10 +88,10 @@ LiftGateDecision LiftGate::update(const LiftGateInput& in) noexcept {
 }
 
 LegSet steady_lifts(const LegArray<Vector3>& feet, const Vector2& p_M, LegSet support, LegSet legs,
-                    const LegArray<double>& lag) noexcept {
+                    const LegArray<double>& lag, double margin) noexcept {
   const auto stands = [&](LegSet lifted) {
     const SupportPolygon rest = support_polygon(feet, without(support, lifted));
-    return rest.size > 2 && stability_margin(rest, p_M) > 0.0;
+    return rest.size > 2 && stability_margin(rest, p_M) > margin;
   };
   if (stands(legs)) return legs;
   LegSet some;
@@ -104,6 +104,12 @@ LegSet steady_lifts(const LegArray<Vector3>& feet, const Vector2& p_M, LegSet su
     if (!stands(some)) some.erase(next);
   }
   return some;
+}
+
+Vector2 way_over(const LegArray<Vector3>& feet, const Vector2& p_M, LegSet legs,
+                 double margin) noexcept {
+  const SupportPolygon polygon = support_polygon(feet, legs);
+  return polygon.size > 2 ? way_inside(polygon, p_M, margin) : Vector2(Vector2::Zero());
 }
 
 void sway(BaseAutoCommand& base, const Vector2& sway) noexcept {

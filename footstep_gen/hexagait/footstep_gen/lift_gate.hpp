@@ -5,13 +5,13 @@
 #include <hexagait/executor/commands.hpp>
 
 /// Crawling. Six legs that keep rule 1 ([PC04] 3.1) stand on a tripod at least. Four legs that keep
-/// it would trot, on two feet. So robots of four and five legs lift one leg at a time, and a leg
+/// it would trot, on two feet. So robots of four legs lift one leg at a time, and a leg
 /// waits until the centre of mass is inside the polygon of the feet that stay, by a margin. Until
 /// then the base moves there.
 namespace hexagait::footstep_gen {
 
 /// Rule 1 alone does not leave three feet on the ground.
-[[nodiscard]] constexpr bool must_crawl(int legs) noexcept { return legs < 6; }
+[[nodiscard]] constexpr bool must_crawl(int legs) noexcept { return legs < 5; }
 
 struct LiftGateInput {
   LegArray<Vector3> feet;          ///< from the body's origin, in axes with vertical z [m]
@@ -48,8 +48,15 @@ struct LiftGate {
 /// Of legs that the gait state lets lift, those that leave the centre of mass over three feet or more:
 /// all together, else as many as do, the one with the greatest lag first.
 /// @param feet, p_M  as in LiftGateInput
+/// @param margin     by which it has to be over them [m]
 [[nodiscard]] LegSet steady_lifts(const LegArray<Vector3>& feet, const Vector2& p_M, LegSet support,
-                                  LegSet legs, const LegArray<double>& lag) noexcept;
+                                  LegSet legs, const LegArray<double>& lag,
+                                  double margin = 0.0) noexcept;
+
+/// The shortest displacement after which the centre of mass is `margin` inside the polygon of these legs,
+/// or equally far inside of the edges that matter; 0 over fewer than three [m].
+[[nodiscard]] Vector2 way_over(const LegArray<Vector3>& feet, const Vector2& p_M, LegSet legs,
+                               double margin) noexcept;
 
 /// The base's motion while it crawls: `sway` besides the path [m, body frame]. It is not taken back
 /// by the advance along the path, and not added to it.

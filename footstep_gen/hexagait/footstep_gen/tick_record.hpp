@@ -3,6 +3,7 @@
 #pragma once
 
 #include <hexagait/executor/executor.hpp>
+#include <hexagait/footstep_gen/leg_watch.hpp>
 #include <hexagait/footstep_gen/lift_gate.hpp>
 #include <hexagait/gait_state/latch.hpp>
 #include <hexagait/heading_control/heading.hpp>
@@ -23,6 +24,9 @@ struct TickRecord {
   Fault fault = Fault::none;  ///< unless none, the stages below were skipped
   bool holding = false;       ///< the measurement is late: the robot holds still
   RobotState state;           ///< joints, feet, odometry
+  LegSet lost;                ///< legs that it does without
+  LegFindings findings;       ///< what it has found out about its legs and their sensors
+  bool refuses = false;       ///< it does not walk, since too few legs are left
 
   // heading_control
   heading_control::Heading heading = heading_control::Heading::stop();  ///< the command

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/executor/check_params.hpp>
 #include <hexagait/footstep_gen/detail/rear_edge.hpp>
 #include <hexagait/footstep_gen/detail/stance_from_above.hpp>
@@ -12,6 +13,9 @@
 
 namespace hexagait::footstep_gen {
 namespace {
+
+constexpr double kCatching = 0.5;    // after a leg is lost [s]
+constexpr double kMostToCome = 0.5;  // of half a step
 
 void check_stepping(Violations& violations, const gait_state::StepperParams& stepper) {
   require(violations, "duty_factor", stepper.duty_factor,
@@ -68,9 +72,11 @@ WalkerParams completed(WalkerParams params, const RobotModel& model) {
 Walker::Walker(const RobotModel& model, const WalkerParams& params)
     : model_(&model),
       params_(checked(completed(params, model))),
+      leg_watch_(model.num_legs()),
       estimator_(model, params_.sensors, params_.tolerance),
       tracker_(params_.tolerance.turn_arm),
       memory_(model.num_legs(), nominal_step_time(params_.executor.swing, params_.step)),
+      stance_of_all_(nominal_stance(model)),
       executor_(model, params_.executor) {
   watch_.stop(Fault::not_started);
   record_.fault = watch_.fault();
@@ -86,7 +92,24 @@ void Walker::set_stepping(const gait_state::StepperParams& stepping) {
 
 void Walker::set_stance(const Stance& stance) {
   check_stance(*model_, stance);
-  executor_.set_stance(stance);
+  stance_of_all_ = stance;
+  recentre();
+}
+
+void Walker::lose_leg(LegId leg) noexcept {
+  if (leg < 0 || leg >= model_->num_legs() || lost_legs().contains(leg)) return;
+  executor_.lose(leg);
+  record_.lost = lost_legs();
+  catches_until_ = ticks_ + std::lround(kCatching / params_.control_dt);
+  recentre();
+}
+
+// The stance for the legs that there are.
+void Walker::recentre() noexcept {
+  const LegSet lost = lost_legs();
+  executor_.set_stance(
+      lost.empty() ? stance_of_all_
+                   : stance_without(lost, *model_, stance_of_all_, executor_.p_BM().head<2>()));
   record_.arc = arc_of(record_.heading);
   tracker_.follow(record_.arc.per_metre);
 }
@@ -120,14 +143,19 @@ const TickRecord& Walker::step(PlantStatus status, const Measurement& measuremen
 void Walker::start(const Measurement& measurement) {
   StateEstimator estimator(*model_, params_.sensors, params_.tolerance);
   const RobotState state = estimator.start(measurement);  // may throw, so before anything changes
-  const Stance stance = executor_.stance();
+  const Stance stance = executor_.stance(), of_all = stance_of_all_;
+  const LegSet lost = lost_legs();
   *this = Walker(*model_, params_);
+  stance_of_all_ = of_all;
   executor_.set_stance(stance);
+  record_.lost = lost;
   watch_ = {};
   record_.fault = Fault::none;
   estimator_ = estimator;
   record_.measurement = measurement;
   record_.state = state;
+  for (LegId i = 0; i < model_->num_legs(); ++i)
+    if (lost.contains(i)) executor_.lose(i);
   executor_.reset(state);
   record_.targets = executor_.targets();
   record_.legs = executor_.legs();
@@ -162,9 +190,37 @@ void Walker::stand_by(const Measurement& measurement) noexcept {
     record_.targets.q = measurement.q;
 }
 
+void Walker::find_faults() noexcept {
+  leg_watch_.watch(*model_, executor_, record_.state, record_.measurement, params_.sensors,
+                   watch_.elapsed());
+  record_.findings = leg_watch_.findings();
+  for (LegId i = 0; !record_.findings.silent.empty() && i < model_->num_legs(); ++i)
+    if (record_.findings.silent.contains(i)) lose_leg(i);
+}
+
+// Feet that are up when a leg is lost may have left the centre of mass outside those that stand: it falls
+// slowly, and they may be there first.
+void Walker::catch_fall() noexcept {
+  const auto [feet, p_M] = stance_from_above(executor_, record_.state.X_OB.R);
+  const SupportPolygon polygon = support_polygon(feet, executor_.support());
+  if (stability_margin(polygon, p_M) < -params_.step.stability_margin) executor_.put_down();
+}
+
 void Walker::estimate() noexcept {
-  estimator_.update(record_.state, record_.measurement, executor_, watch_.elapsed());
+  if (params_.finds_faults) find_faults();
+  if (record_.findings.none())
+    estimator_.update(record_.state, record_.measurement, executor_, watch_.elapsed());
+  else
+    estimator_.update(record_.state,
+                      leg_watch_.mended(record_.measurement, executor_, record_.state), executor_,
+                      watch_.elapsed());
   executor_.sense(record_.state, params_.control_dt);
+  if (ticks_ < catches_until_) catch_fall();
+  // A lost leg has no footprint: that of another one stands for it.
+  const LegSet lost = lost_legs();
+  for (LegId i = 0; !lost.empty() && i < model_->num_legs(); ++i)
+    if (lost.contains(i))
+      record_.state.print_O[i] = record_.state.print_O[gait_state::leg_at(0, ring())];
 }
 
 heading_control::PathArc Walker::arc_of(const heading_control::Heading& heading) const noexcept {
@@ -172,7 +228,9 @@ heading_control::PathArc Walker::arc_of(const heading_control::Heading& heading)
   return path_arc(two_joints ? without_crab(heading) : heading, executor_.stance());
 }
 
-void Walker::steer(const heading_control::Heading& heading) noexcept {
+void Walker::steer(const heading_control::Heading& asked) noexcept {
+  record_.refuses = asked.moving() && !may_walk_without(lost_legs(), model_->num_legs());
+  const heading_control::Heading heading = record_.refuses ? asked.stopped() : asked;
   if (!(heading == record_.heading)) {
     record_.heading = heading;
     record_.arc = arc_of(heading);
@@ -207,8 +265,15 @@ void Walker::decide() noexcept {
 
 LegSet Walker::steady(LegSet legs) const noexcept {
   if (crawls()) return legs;
-  const auto [feet, p_M] = stance_from_above(*model_, executor_, record_.state.X_OB.R);
-  return steady_lifts(feet, p_M, executor_.support(), legs, record_.gait_input.lag);
+  const auto [feet, p_M] = stance_from_above(executor_, record_.state.X_OB.R);
+  double margin = 0.0;
+  if (!lost_legs().empty()) {
+    // All of the margin at first; who waits for it for long does without.
+    const double waited = time() - *std::ranges::max_element(memory_.stepper.lifted_at);
+    const double patience = memory_.stepper.longest_step();
+    margin = params_.step.stability_margin * std::clamp(2.0 - waited / patience, 0.0, 1.0);
+  }
+  return steady_lifts(feet, p_M, executor_.support(), legs, record_.gait_input.lag, margin);
 }
 
 // Rule 1.
@@ -216,14 +281,14 @@ LegSet Walker::may_crawl() const noexcept {
   if (!record_.heading.moving()) return {};
   const int n = model_->num_legs();
   const LegSet support = executor_.support();
-  return without(support, gait_state::neighbours_of(without(LegSet::all(n), support), n));
+  return without(support, gait_state::neighbours_of(without(LegSet::all(n), support), ring()));
 }
 
 LiftGateDecision Walker::gate() noexcept {
   const int n = model_->num_legs();
   const Matrix3& R_OB = record_.state.X_OB.R;
   const Vector2 path = record_.arc.per_metre.v;
-  const auto [feet, p_M] = stance_from_above(*model_, executor_, R_OB);
+  const auto [feet, p_M] = stance_from_above(executor_, R_OB);
   LiftGateInput in{.feet = feet,
                    .p_M = p_M,
                    .support = executor_.support(),
@@ -243,8 +308,12 @@ void Walker::command() noexcept {
   const bool walks = record_.heading.moving();
   const double half_step = walks ? 0.5 * params_.step.stroke : 0.0;
   record_.path_to_come = path_to_come(record_.arc, executor_, half_step, path_pose());
+  // With a leg lost the base waits for balance more often, and feet would land too far ahead of it.
+  if (!lost_legs().empty())
+    record_.path_to_come = std::min(record_.path_to_come, kMostToCome * half_step);
 
   for (LegId i = 0; i < model_->num_legs(); ++i) {
+    if (lost_legs().contains(i)) continue;
     const bool in_air = executor_.legs()[i].phase != LegPhase::support;
     if (!in_air && !record_.lifts.contains(i)) continue;
     record_.footsteps[i] =
@@ -254,19 +323,37 @@ void Walker::command() noexcept {
   }
   // While it crawls its footholds keep to the path; the body follows them.
   const bool sways = crawls() && walks;
-  const PlanarTwist back{sways ? Vector2(Vector2::Zero()) : record_.deviation.v,
-                         record_.deviation.w};
+  PlanarTwist back{sways ? Vector2(Vector2::Zero()) : record_.deviation.v, record_.deviation.w};
+  const bool gives_way = !sways && !lost_legs().empty() && !record_.waits.empty();
+  if (gives_way) back.v.setZero();
   record_.base_auto =
       base_auto(*model_, record_.arc, executor_, record_.state.X_OB, back, params_.step);
   if (sways) sway(record_.base_auto, record_.gate.sway);
+  if (gives_way) record_.base_auto.correction.v += way_for_waiting();
   record_.base_auto.max_speed = speed_limit_;
   executor_.command(record_.base_auto);
+}
+
+// Displacement of the body after which the waiting leg that lags most may lift: with a leg lost, one may
+// wait for balance where all stand and nothing else moves the body.
+Vector2 Walker::way_for_waiting() const noexcept {
+  constexpr double kBeyond = 2.0;  // of the margin that it waits for: the last of the way is slow
+  LegId next = -1;
+  for (LegId i = 0; i < model_->num_legs(); ++i)
+    if (record_.waits.contains(i) &&
+        (next < 0 || record_.gait_input.lag[i] > record_.gait_input.lag[next]))
+      next = i;
+  const Matrix3& R_OB = record_.state.X_OB.R;
+  const auto [feet, p_M] = stance_from_above(executor_, R_OB);
+  const LegSet rest = without(executor_.support(), LegSet(1U << next));
+  return R_OB.topLeftCorner<2, 2>().transpose() *
+         way_over(feet, p_M, rest, kBeyond * params_.step.stability_margin);
 }
 
 // The legs of a wave land one after the other. The fraction of the advance still to come that the
 // base will have made when this leg lands: its remaining time over that of the leg that lands last.
 double Walker::share_to_come(LegId leg) const noexcept {
-  if (params_.stepper.stepping != gait_state::Stepping::wave) return 1.0;
+  if (params_.stepper.stepping != gait_state::Stepping::wave || !lost_legs().empty()) return 1.0;
   const gait_state::Stepper& stepper = memory_.stepper;
   const double last_lift = *std::ranges::max_element(stepper.lifted_at);
   const double last_left = last_lift + stepper.longest_step() - time();

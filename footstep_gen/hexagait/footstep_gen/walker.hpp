@@ -4,8 +4,10 @@
 
 #include <hexagait/executor/state_estimator.hpp>
 #include <hexagait/footstep_gen/generator.hpp>
+#include <hexagait/footstep_gen/lost_legs.hpp>
 #include <hexagait/footstep_gen/tick_record.hpp>
 #include <hexagait/gait_state/decide.hpp>
+#include <hexagait/gait_state/ring.hpp>
 #include <hexagait/heading_control/path_tracker.hpp>
 #include <hexagait/heading_control/twist.hpp>
 #include <hexagait/plant/plant_watch.hpp>
@@ -22,6 +24,8 @@ struct WalkerParams {
   ExecutorParams executor;
   ToleranceParams tolerance;  ///< its `tie` is not used: that of `gait` is
   double late_limit = 0.1;    ///< longest time without a measurement before it stops [s]
+  /// Legs that do not answer are lost, and sensors that are stuck or noisy are not believed: LegWatch.
+  bool finds_faults = true;
 };
 
 /// Sets what is kDerived to what follows from the robot's model.
@@ -63,7 +67,15 @@ class Walker {
   /// ticks; start() keeps it.
   /// @throws InvalidInput  if a leg can't stand so; then nothing changes
   void set_stance(const Stance& stance);
-  [[nodiscard]] const Stance& stance() const { return executor_.stance(); }
+  [[nodiscard]] const Stance& stance() const { return executor_.stance(); }  ///< recentred or not
+
+  /// The leg is lost: cut off, dead, or not to be used. From the next tick on it takes no part; the ring
+  /// closes over it, the stance is recentred over the others (stance_without()), and the robot walks on by
+  /// the same rules, freely whatever the gait, or stands, if too few are left (may_walk_without()). May be
+  /// called between any two ticks; start() keeps it. Does not allocate. Of a leg that there is not, and of
+  /// one that is lost already: does nothing.
+  void lose_leg(LegId leg) noexcept;
+  [[nodiscard]] LegSet lost_legs() const { return executor_.lost(); }
 
   /// Stops at once until the next start(): velocities are set to 0, set points kept.
   void emergency_stop() noexcept { stop(Fault::emergency_stop); }
@@ -78,6 +90,8 @@ class Walker {
   bool healthy(PlantStatus status, const Measurement& measurement) noexcept;
   void stand_by(const Measurement& measurement) noexcept;
   void estimate() noexcept;
+  void find_faults() noexcept;
+  void catch_fall() noexcept;
   void steer(const heading_control::Heading& heading) noexcept;
   [[nodiscard]] heading_control::PathArc arc_of(
       const heading_control::Heading& heading) const noexcept;
@@ -91,21 +105,29 @@ class Walker {
   [[nodiscard]] double time() const noexcept {
     return static_cast<double>(ticks_) * params_.control_dt;
   }
-  [[nodiscard]] bool crawls() const noexcept { return must_crawl(model_->num_legs()); }
+  [[nodiscard]] gait_state::Ring ring() const noexcept {
+    return {model_->num_legs(), executor_.lost()};
+  }
+  [[nodiscard]] bool crawls() const noexcept { return must_crawl(ring().size()); }
+  void recentre() noexcept;
+  [[nodiscard]] Vector2 way_for_waiting() const noexcept;
   [[nodiscard]] const Pose* path_pose() const noexcept { return crawls() ? &X_BG_ : nullptr; }
   [[nodiscard]] double share_to_come(LegId leg) const noexcept;
 
   const RobotModel* model_;
   WalkerParams params_;
   PlantWatch watch_;
+  LegWatch leg_watch_;
   StateEstimator estimator_;
   heading_control::PathTracker tracker_;
   gait_state::GaitMemory memory_;
   LiftGate gate_;
-  Pose X_BG_;  ///< see gait_input()
+  Pose X_BG_;             ///< see gait_input()
+  Stance stance_of_all_;  ///< before any leg was lost
   Executor executor_;
   double speed_limit_ = std::numeric_limits<double>::infinity();  ///< along the path [m/s]
-  long ticks_ = 0;  ///< number of control periods, late ones too
+  long catches_until_ = 0;  ///< tick until which it may have to catch itself
+  long ticks_ = 0;          ///< number of control periods, late ones too
   TickRecord record_;
 };
 

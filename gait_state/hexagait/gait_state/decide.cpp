@@ -7,10 +7,10 @@ namespace hexagait::gait_state {
 namespace {
 
 // Those beside which everybody surely stands. A tripod lifts as a whole, or not at all.
-LegSet beside_sure_legs(LegSet may_step, LegSet unsure, Stepping stepping, int n) {
+LegSet beside_sure_legs(LegSet may_step, LegSet unsure, Stepping stepping, const Ring& ring) {
   if (unsure.empty()) return may_step;
   if (stepping == Stepping::tripod) return {};
-  return without(may_step, neighbours_of(unsure, n));
+  return without(may_step, neighbours_of(unsure, ring));
 }
 
 }  // namespace
@@ -21,8 +21,9 @@ StepDecision decide(GaitMemory& memory, const GaitInput& legs, const StepConditi
   result.gait = memory.latch.update(legs, gait);
   LegSet may_step = conditions.crawls ? conditions.open : result.gait.may_step;
   if (!conditions.walking) may_step = {};
-  const StepperParams used = conditions.crawls ? StepperParams{} : stepper;
-  const LegSet sure = beside_sure_legs(may_step, conditions.unsure, used.stepping, legs.lag.size());
+  const Ring ring(legs.lag.size(), legs.lost);
+  const StepperParams used = conditions.crawls || !legs.lost.empty() ? StepperParams{} : stepper;
+  const LegSet sure = beside_sure_legs(may_step, conditions.unsure, used.stepping, ring);
   LegSet lifts = without(sure, legs.airborne);
   if (conditions.steady && !lifts.empty()) lifts = conditions.steady(lifts);
   result.lifts = memory.stepper.update({.time = conditions.time,
@@ -31,7 +32,7 @@ StepDecision decide(GaitMemory& memory, const GaitInput& legs, const StepConditi
                                         .rear_edge = conditions.rear_edge},
                                        used);
   result.waits = without(may_step, result.lifts);
-  result.rule1_violations = rule_1_violations(result.lifts, legs.airborne, legs.lag.size());
+  result.rule1_violations = rule_1_violations(result.lifts, legs.airborne, ring);
   return result;
 }
 

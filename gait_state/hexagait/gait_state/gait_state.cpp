@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <hexagait/gait_state/gait_state.hpp>
 
 namespace hexagait::gait_state {
@@ -28,14 +29,14 @@ RingBits lowerable(const GaitState& state) noexcept {
 }  // namespace
 
 LegSet priority_legs(const GaitState& state) noexcept {
-  return legs_at(priority_positions(state), state.n);
+  return legs_at(priority_positions(state), state.ring());
 }
 
 LegSet may_step(const GaitState& state, LegSet airborne) noexcept {
   const int n = state.n;
-  const RingBits air = ring_bits(airborne, n);
+  const RingBits air = ring_bits(airborne, state.ring());
   const RingBits barred = air | from_before(air, n) | from_after(air, n);
-  return legs_at(priority_positions(state) & ~barred, n);
+  return legs_at(priority_positions(state) & ~barred, state.ring());
 }
 
 GaitType type_of(const GaitState& state) noexcept {
@@ -65,9 +66,13 @@ GaitState adjusted(GaitState state, int ccn) noexcept {
   return state;
 }
 
+GaitState balanced(const GaitState& state) noexcept {
+  return adjusted(state, std::clamp(state.ccn(), state.n / 2, (state.n + 1) / 2));
+}
+
 GaitState after_step(GaitState state, LegId leg) noexcept {
   assert(priority_legs(state).contains(leg));
-  const RingBits after = 1U << position_of(leg, state.n);
+  const RingBits after = 1U << position_of(leg, state.ring());
   state.bits &= ~from_after(after, state.n);
   state.bits |= after;
   return state;
@@ -81,7 +86,7 @@ std::string to_string(const GaitState& state) {
 
 std::optional<GaitState> parse_gait_state(std::string_view text) noexcept {
   if (text.size() > kMaxLegs || !is_ring_size(static_cast<int>(text.size()))) return std::nullopt;
-  GaitState state{0, static_cast<int>(text.size())};
+  GaitState state{0, static_cast<int>(text.size()), {}};
   for (int k = 0; k < state.n; ++k) {
     const char relation = text[static_cast<std::size_t>(k)];
     if (relation != '<' && relation != '>') return std::nullopt;

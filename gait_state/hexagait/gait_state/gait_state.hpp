@@ -22,7 +22,10 @@ namespace hexagait::gait_state {
 /// cyclic, its text is empty, and it is not a valid argument of the other functions.
 struct GaitState {
   RingBits bits = 0;  ///< bit k set: the relation between ring positions k and k + 1 is `<`
-  int n = 0;          ///< legs
+  int n = 0;          ///< relations: legs of the ring
+  LegSet lost = {};   ///< legs of the robot over which the ring has closed
+
+  [[nodiscard]] constexpr Ring ring() const noexcept { return {n + lost.size(), lost}; }
 
   /// Clockwise circularity number: how many of the relations are `<` ([PC04] 3.2).
   [[nodiscard]] constexpr int ccn() const noexcept { return std::popcount(bits); }
@@ -69,6 +72,10 @@ enum class GaitType {
 /// @param state  a cyclic state, to which no rule applies, is returned unchanged
 /// @param ccn    desired, normally n/2; in [p, n − p] with p priority legs
 [[nodiscard]] GaitState adjusted(GaitState state, int ccn) noexcept;
+
+/// adjusted() to the nearest CCN with which most legs are in the air, n/2; in an odd ring, to the
+/// nearer one of (n − 1)/2 and (n + 1)/2, which are equally good: m = (n − 1)/2.
+[[nodiscard]] GaitState balanced(const GaitState& state) noexcept;
 
 /// The state after `leg` has stepped: `< a >` becomes `> a <`, and the CCN stays ([PC04] 3.2, eq.
 /// 2).

@@ -37,6 +37,11 @@
 /// and does not fall by more than ε into one of the first. These alternate, so n equal relations
 /// would make δ rise, or fall, all the way round the ring. (Ties make the proof necessary: "within
 /// ε" is not transitive.)
+///
+/// **Odd rings**, which have lost a leg, have one edge between two legs of the first tripod, the last
+/// one. It has no ties: `<` if δ_b > δ_a, else `>`. So `<` on every edge requires that δ rises by more
+/// than ε on (n − 1)/2 edges, falls by at most ε on as many, and rises on the last; likewise `>`. With
+/// ties on that edge too, a ring of five could be cyclic.
 namespace hexagait::gait_state {
 
 /// What to do with a state whose CCN is not n/2.
@@ -60,6 +65,7 @@ struct GaitInput {
   LegArray<double> lag;  ///< δ: foot behind its workspace centre, along the path [m], finite
   LegSet airborne;       ///< legs that do not stand on the ground
   LegSet urgent;         ///< legs whose lag has used up 80 % of their reach
+  LegSet lost = {};      ///< legs over which the ring closes; they have no relations
 };
 
 /// The result of an update.
@@ -96,15 +102,15 @@ struct Combined {
 /// The first four lines of (gait 4).
 [[nodiscard]] Combined combine(const LatchStep& step) noexcept;
 
-/// The state between updates. A value: a copy continues identically. The first update, and one with
-/// a different number of legs, starts from fresh relations.
+/// The state between updates. A value: a copy continues identically. The first update, and one
+/// whose ring is another one, starts from fresh relations.
 struct GaitLatch {
   GaitState stored;  ///< gait state of the last update
   GaitState raw;     ///< raw relations of the last update, or the fresh ones if they replaced them
   LegSet airborne;   ///< at the last update
 
   /// One update, at any rate: it does not depend on time. Does not allocate.
-  /// @param input  lag.size() is the number of legs
+  /// @param input  lag.size() is the number of legs, lost ones too
   [[nodiscard]] GaitDecision update(const GaitInput& input, const GaitParams& params = {}) noexcept;
 };
 

@@ -150,7 +150,7 @@ TEST(Modes, WithoutTheLatchEveryUpdateAdjustsAnew) {
 }
 
 TEST(Latch, IsAValue) {
-  static_assert(std::is_trivially_copyable_v<GaitLatch> && sizeof(GaitLatch) <= 20);
+  static_assert(std::is_trivially_copyable_v<GaitLatch> && sizeof(GaitLatch) <= 28);
   static_assert(std::is_trivially_copyable_v<GaitDecision>);
   GaitLatch latch;
   (void)latch.update(input(kStaircase, legs({2})), kParams);

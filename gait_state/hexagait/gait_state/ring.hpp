@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cstdint>
 #include <hexagait/math/leg.hpp>
@@ -14,7 +15,9 @@
 ///     leg        0  1  3  5 …  n−1    n−2  …   4    2                                (gait 1)
 ///
 /// Down the right side from the front, up the left one. Six legs are in the order 0 1 3 5 4 2, in
-/// the paper's numbers 1 2 4 6 5 3. n is even, 4 to 12.
+/// the paper's numbers 1 2 4 6 5 3. A robot has an even number of legs, 4 to 12. Where legs are lost
+/// the ring closes over them: those that are left keep their order and are counted anew, so a ring
+/// has 3 to 12 positions and may be odd.
 namespace hexagait::gait_state {
 
 /// One bit per ring position k: for the leg at that position, or for the edge from it to the next.
@@ -24,19 +27,21 @@ using RingBits = std::uint32_t;
   return n % 2 == 0 && 4 <= n && n <= kMaxLegs;
 }
 
-/// @param position  0 … n − 1
-[[nodiscard]] constexpr LegId leg_at(int position, int n) noexcept {
-  assert(is_ring_size(n) && 0 <= position && position < n);
-  if (position == 0) return 0;
-  return 2 * position <= n ? 2 * position - 1 : 2 * (n - position);
-}
+/// The legs of a ring. A number of legs stands for the ring of all of them.
+struct Ring {
+  int legs = 0;  ///< of the robot, lost ones too: even, 4 to 12
+  LegSet lost;
 
-/// Inverse of leg_at().
-[[nodiscard]] constexpr int position_of(LegId leg, int n) noexcept {
-  assert(is_ring_size(n) && 0 <= leg && leg < n);
-  if (leg % 2 == 1) return (leg + 1) / 2;
-  return leg == 0 ? 0 : n - leg / 2;
-}
+  constexpr Ring(int all = 0, LegSet gone = {}) noexcept : legs(all), lost(gone) {}
+
+  /// Number n of its positions.
+  [[nodiscard]] constexpr int size() const noexcept { return legs - lost.size(); }
+  /// Those that are in it.
+  [[nodiscard]] constexpr LegSet present() const noexcept {
+    return without(LegSet::all(legs), lost);
+  }
+  friend constexpr bool operator==(const Ring&, const Ring&) = default;
+};
 
 /// All positions, or all edges, of the ring.
 [[nodiscard]] constexpr RingBits ring_mask(int n) noexcept { return (1U << n) - 1U; }
@@ -52,6 +57,13 @@ using RingBits = std::uint32_t;
 }
 
 namespace detail {
+
+/// Of a ring that has lost no leg.
+[[nodiscard]] constexpr LegId leg_at(int position, int n) noexcept {
+  assert(is_ring_size(n) && 0 <= position && position < n);
+  if (position == 0) return 0;
+  return 2 * position <= n ? 2 * position - 1 : 2 * (n - position);
+}
 
 /// Lookup tables from sets of legs to ring positions and back, six legs at a time.
 struct RingTable {
@@ -78,19 +90,56 @@ inline constexpr std::array kRingTables = {RingTable(4), RingTable(6), RingTable
   return kRingTables[static_cast<std::size_t>(n / 2 - 2)];
 }
 
-}  // namespace detail
-
-[[nodiscard]] constexpr RingBits ring_bits(LegSet legs, int n) noexcept {
-  const detail::RingTable& table = detail::ring_table(n);
+[[nodiscard]] constexpr RingBits in_ring(LegSet legs, const RingTable& table) noexcept {
   return RingBits{table.to_ring[0][legs.bits() & 63U]} |
          RingBits{table.to_ring[1][legs.bits() >> 6 & 63U]};
 }
 
+/// The bits without those of the gaps, which close.
+[[nodiscard]] constexpr RingBits closed(RingBits bits, RingBits gaps) noexcept {
+  for (; gaps != 0; gaps ^= std::bit_floor(gaps)) {
+    const RingBits below = std::bit_floor(gaps) - 1U;
+    bits = (bits & below) | (bits >> 1 & ~below);
+  }
+  return bits;
+}
+
+/// Inverse of closed(); nobody is in a gap.
+[[nodiscard]] constexpr RingBits opened(RingBits bits, RingBits gaps) noexcept {
+  for (; gaps != 0; gaps &= gaps - 1U) {
+    const RingBits below = (gaps & (~gaps + 1U)) - 1U;
+    bits = (bits & below) | (bits & ~below) << 1;
+  }
+  return bits;
+}
+
+}  // namespace detail
+
+[[nodiscard]] constexpr RingBits ring_bits(LegSet legs, const Ring& ring) noexcept {
+  const detail::RingTable& table = detail::ring_table(ring.legs);
+  const RingBits bits = detail::in_ring(legs, table);
+  return ring.lost.empty() ? bits : detail::closed(bits, detail::in_ring(ring.lost, table));
+}
+
 /// Inverse of ring_bits().
-[[nodiscard]] constexpr LegSet legs_at(RingBits bits, int n) noexcept {
-  const detail::RingTable& table = detail::ring_table(n);
+[[nodiscard]] constexpr LegSet legs_at(RingBits bits, const Ring& ring) noexcept {
+  const detail::RingTable& table = detail::ring_table(ring.legs);
+  if (!ring.lost.empty()) bits = detail::opened(bits, detail::in_ring(ring.lost, table));
   return LegSet(RingBits{table.to_legs[0][bits & 63U]} |
                 RingBits{table.to_legs[1][bits >> 6 & 63U]});
+}
+
+/// @param position  0 … n − 1
+[[nodiscard]] constexpr LegId leg_at(int position, const Ring& ring) noexcept {
+  assert(0 <= position && position < ring.size());
+  if (ring.lost.empty()) return detail::leg_at(position, ring.legs);
+  return std::countr_zero(legs_at(1U << position, ring).bits());
+}
+
+/// Inverse of leg_at().
+[[nodiscard]] constexpr int position_of(LegId leg, const Ring& ring) noexcept {
+  assert(ring.present().contains(leg));
+  return std::countr_zero(ring_bits(LegSet(1U << leg), ring));
 }
 
 /// The two neighbours of a leg.
@@ -99,26 +148,28 @@ struct Neighbours {
   LegId after = 0;   ///< clockwise
 };
 
-[[nodiscard]] constexpr Neighbours neighbours_of(LegId leg, int n) noexcept {
-  const int k = position_of(leg, n);
-  return {leg_at(k == 0 ? n - 1 : k - 1, n), leg_at(k == n - 1 ? 0 : k + 1, n)};
+[[nodiscard]] constexpr Neighbours neighbours_of(LegId leg, const Ring& ring) noexcept {
+  const int k = position_of(leg, ring), n = ring.size();
+  return {leg_at(k == 0 ? n - 1 : k - 1, ring), leg_at(k == n - 1 ? 0 : k + 1, ring)};
 }
 
 /// All legs with a neighbour in `legs`.
-[[nodiscard]] constexpr LegSet neighbours_of(LegSet legs, int n) noexcept {
-  const RingBits ring = ring_bits(legs, n);
-  return legs_at(from_before(ring, n) | from_after(ring, n), n);
+[[nodiscard]] constexpr LegSet neighbours_of(LegSet legs, const Ring& ring) noexcept {
+  const RingBits bits = ring_bits(legs, ring);
+  const int n = ring.size();
+  return legs_at(from_before(bits, n) | from_after(bits, n), ring);
 }
 
 /// [PC04] rule 1: never two neighbours off the ground at the same time.
-[[nodiscard]] constexpr bool breaks_rule_1(LegSet airborne, int n) noexcept {
-  const RingBits ring = ring_bits(airborne, n);
-  return (ring & from_after(ring, n)) != 0;
+[[nodiscard]] constexpr bool breaks_rule_1(LegSet airborne, const Ring& ring) noexcept {
+  const RingBits bits = ring_bits(airborne, ring);
+  return (bits & from_after(bits, ring.size())) != 0;
 }
 
 /// Of the legs that lift, those with a neighbour that lifts too or is off the ground already.
-[[nodiscard]] constexpr LegSet rule_1_violations(LegSet lifts, LegSet airborne, int n) noexcept {
-  return lifts & neighbours_of(lifts | airborne, n);
+[[nodiscard]] constexpr LegSet rule_1_violations(LegSet lifts, LegSet airborne,
+                                                 const Ring& ring) noexcept {
+  return lifts & neighbours_of(lifts | airborne, ring);
 }
 
 /// Positions 0, 2, 4, …; as edges, those whose earlier leg belongs to the first tripod.

@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <hexagait/gait_state/ring.hpp>
+#include <vector>
 
 namespace hexagait::gait_state {
 namespace {
@@ -110,6 +111,39 @@ TEST(Ring, ConvertsSetsOfLegsToPositionsAndBack) {
       ASSERT_EQ(legs_at(ring_bits(LegSet(bits), n), n), LegSet(bits));
     }
   }
+}
+
+// Independently of bits: the order of the whole ring, without those that are lost.
+TEST(Ring, ClosesOverLostLegsInTheSameOrder) {
+  for (const int n : {4, 6, 8}) {
+    for (std::uint32_t lost = 0; lost < (1U << n); ++lost) {
+      const Ring ring(n, LegSet(lost));
+      if (ring.size() < 3) continue;
+      std::vector<LegId> order;
+      for (int k = 0; k < n; ++k)
+        if (!ring.lost.contains(leg_at(k, n))) order.push_back(leg_at(k, n));
+      ASSERT_EQ(static_cast<int>(order.size()), ring.size());
+      for (int k = 0; k < ring.size(); ++k) {
+        const auto at = [&](int j) {
+          return order[static_cast<std::size_t>((j + ring.size()) % ring.size())];
+        };
+        EXPECT_EQ(leg_at(k, ring), at(k)) << n << " legs, lost " << lost;
+        EXPECT_EQ(position_of(at(k), ring), k);
+        EXPECT_EQ(neighbours_of(at(k), ring).before, at(k - 1));
+        EXPECT_EQ(neighbours_of(at(k), ring).after, at(k + 1));
+      }
+    }
+  }
+}
+
+// Without leg 3 (right middle) legs 1 and 5 are neighbours, and leg 3 counts for nothing.
+TEST(Ring, LegsBesideALostOneAreNeighbours) {
+  constexpr Ring kRing(6, LegSet(0b001000));
+  static_assert(kRing.size() == 5 && kRing.present() == LegSet(0b110111));
+  static_assert(breaks_rule_1(LegSet(0b100010), kRing) && !breaks_rule_1(LegSet(0b100010), 6));
+  static_assert(!breaks_rule_1(LegSet(0b001010), kRing) && breaks_rule_1(LegSet(0b001010), 6));
+  static_assert(legs_at(ring_bits(LegSet(0b111111), kRing), kRing) == kRing.present());
+  static_assert(neighbours_of(LegSet(0b000010), kRing) == LegSet(0b100001));
 }
 
 }  // namespace

@@ -64,6 +64,8 @@ Json json(const PlantSetup& plant) {
   for (const PlantNumber& number : plant_numbers()) json[name_with_unit(number)] = number.of(plant);
   json["velocity_limits"] = plant.world.velocity_limits;
   json["positions_only"] = plant.faults.positions_only;
+  json["faults"] = Json::array();
+  for (const walk::PartFault& fault : plant.parts) json["faults"].push_back(fault.text);
   return json;
 }
 
@@ -126,6 +128,7 @@ Json results(const walk::Summary& s) {
 Json results(const WalkReport& report) {
   Json json = results(report.summary);
   json["stuck_because"] = report.hindrance.empty() ? Json(nullptr) : Json(report.hindrance);
+  json["found"] = report.found;
   if (!report.side_view) return json;
   json["underside_contact_s"] = report.side_view->underside_time;
   json["blocked_advances"] = report.side_view->blocked;

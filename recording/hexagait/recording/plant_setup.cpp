@@ -114,12 +114,17 @@ std::vector<std::string> known_words() {
   for (const PlantSwitch& one : plant_switches()) known.emplace_back(one.name);
   for (const PlantNumber& number : plant_numbers()) known.emplace_back(number.name);
   for (const PlantPreset& preset : plant_presets()) known.emplace_back(preset.name);
+  for (const std::string& fault : walk::part_fault_names()) known.push_back(fault);
   return known;
 }
 
 // One part of the text of a plant.
 std::string take(PlantSetup& setup, const std::string& part, bool is_first) {
   const std::size_t colon = part.find(':');
+  if (std::ranges::count(walk::part_fault_names(), part.substr(0, colon)) > 0) {
+    setup.parts.push_back(walk::parse_part_fault(part));
+    return "";
+  }
   if (colon != std::string::npos)
     return set(setup, part.substr(0, colon), part.substr(colon + 1), part.substr(0, colon));
   if (is_first)
@@ -166,7 +171,8 @@ std::span<const PlantSwitch> plant_switches() {
 bool PlantSetup::is_ideal() const {
   const PlantSetup ideal;
   const auto same = [&](const auto& part) { return part.of(*this) == part.of(ideal); };
-  return std::ranges::all_of(plant_numbers(), same) && std::ranges::all_of(plant_switches(), same);
+  return parts.empty() && std::ranges::all_of(plant_numbers(), same) &&
+         std::ranges::all_of(plant_switches(), same);
 }
 
 std::string name_with_unit(const PlantNumber& number) {
@@ -208,8 +214,21 @@ std::string set(PlantSetup& setup, std::string_view key, const std::string& valu
         *read;
     return "";
   }
-  return fmt::format("a plant has no '{}'{}; hexagait list plants shows what it has", spoken,
-                     did_you_mean(name, known_words()));
+  return fmt::format("a plant has no '{}'{}; hexagait list plants and list faults show what it has",
+                     spoken, did_you_mean(name, known_words()));
+}
+
+void add_faults(PlantSetup& setup, std::span<const std::string> faults) {
+  std::vector<std::string> problems;
+  for (const std::string& fault : faults) {
+    try {
+      setup.parts.push_back(walk::parse_part_fault(fault));
+      setup.name = fmt::format("{}{}", setup.name == "ideal" ? "" : setup.name + "+", fault);
+    } catch (const InvalidInput& error) {
+      problems.emplace_back(error.what());
+    }
+  }
+  if (!problems.empty()) throw InvalidInput(fmt::format("{}", fmt::join(problems, "\n")));
 }
 
 PlantSetup parse_plant(const std::string& text) {
@@ -217,8 +236,12 @@ PlantSetup parse_plant(const std::string& text) {
   std::vector<std::string> problems;
   bool is_first = true;
   for (const std::string_view part : split(text, '+')) {
-    const std::string problem = take(setup, std::string(part), is_first);
-    if (!problem.empty()) problems.push_back(problem);
+    try {
+      const std::string problem = take(setup, std::string(part), is_first);
+      if (!problem.empty()) problems.push_back(problem);
+    } catch (const InvalidInput& error) {
+      problems.emplace_back(error.what());
+    }
     is_first = false;
   }
   if (!problems.empty()) throw InvalidInput(fmt::format("{}", fmt::join(problems, "\n")));

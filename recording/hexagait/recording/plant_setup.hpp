@@ -5,6 +5,7 @@
 #include <cmath>
 #include <hexagait/sim3d/world.hpp>
 #include <hexagait/walk/faults.hpp>
+#include <hexagait/walk/part_faults.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,11 +16,12 @@ namespace hexagait::recording {
 /// How a simulated robot differs from an ideal one, in the world, and between it and the
 /// controller. As text, for command lines and sweep files, a preset and what differs from it:
 ///
-///     ideal    real    joint_noise:2mrad    real+friction:0.4+servo:position_only
+///     ideal    real    joint_noise:2mrad    real+friction:0.4+servo:position_only    dead:LF@5s
 struct PlantSetup {
   std::string name = "ideal";  ///< as it was written
   sim3d::WorldParams world;    ///< of which only sim3d::imperfections() count
   walk::PlantFaults faults;
+  std::vector<walk::PartFault> parts;  ///< faults of single legs, joints and sensors, loads, pushes
 
   [[nodiscard]] bool is_ideal() const;  ///< each number and switch is as by default
 };
@@ -73,6 +75,9 @@ struct PlantPreset {
 /// @param spoken  how the message calls it: "--joint-noise"
 [[nodiscard]] std::string set(PlantSetup& setup, std::string_view key, const std::string& value,
                               const std::string& spoken);
+
+/// Adds faults of parts to a setup and its name. @throws InvalidInput  with all that are none
+void add_faults(PlantSetup& setup, std::span<const std::string> faults);
 
 /// Reads what is above. @throws InvalidInput  with everything that is wrong, a line each
 [[nodiscard]] PlantSetup parse_plant(const std::string& text);

@@ -78,7 +78,8 @@ Parameters parameters(const VirtualModelParams& params) {
 }
 
 Parameters parameters(const footstep_gen::WalkerParams& params) {
-  const auto& [control_dt, sensors, gait, stepper, step, executor, tolerance, late_limit] = params;
+  const auto& [control_dt, sensors, gait, stepper, step, executor, tolerance, late_limit,
+              finds_faults] = params;
   const auto& [swing, base, gravity, controller, virtual_model] = executor;
   RobotParams robot;
   robot.step = step;
@@ -86,6 +87,7 @@ Parameters parameters(const footstep_gen::WalkerParams& params) {
   robot.base = base;
   robot.tolerance = tolerance;
   Parameters all = {{"late_limit_s", late_limit},
+                    {"finds_faults", finds_faults ? 1.0 : 0.0},
                     {"gravity_m_s2", gravity},
                     {"whole_body_controller", static_cast<double>(controller)},
                     {"step.roughness_gain", step.roughness_gain},

@@ -41,11 +41,23 @@ footstep_gen::WalkerParams walker_params(const Simulation& simulation) {
   return params;
 }
 
+walk::BodyAccess body_of(sim3d::World& world) {
+  return {[&](LegId leg) { world.cut(leg); },
+          [&](LegId leg, int joint, double share) { world.weaken(leg, joint, share); },
+          [&](const Vector2& force_B, double seconds) {
+            const Vector3 force_W = world.truth().X_WB.R * Vector3(force_B.x(), force_B.y(), 0.0);
+            world.push({force_W.x(), force_W.y(), 0.0}, seconds);
+          }};
+}
+
 walk::Summary simulate(const RobotModel& robot, const Simulation& simulation,
                        const walk::Observer& observer, const std::atomic<bool>* stop) {
-  sim3d::World world(robot, simulation.terrain, world_params(simulation),
+  const std::vector<walk::PartFault> faults = resolved(simulation.plant.parts, robot);
+  sim3d::World world(with_loads(robot, faults), simulation.terrain, world_params(simulation),
                      walk::random_posture(robot, simulation.random_posture, simulation.seed));
-  walk::FaultyPlant plant(world, robot, simulation.plant.faults, simulation.control_dt,
+  walk::PartFaultPlant broken(world, faults, body_of(world), simulation.control_dt,
+                              simulation.trial.settle, simulation.seed);
+  walk::FaultyPlant plant(broken, robot, simulation.plant.faults, simulation.control_dt,
                           simulation.seed);
   footstep_gen::Walker walker(robot, walker_params(simulation));
 

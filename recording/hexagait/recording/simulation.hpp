@@ -34,6 +34,9 @@ void complete(Simulation& simulation, const RobotModel& robot);
 [[nodiscard]] sim3d::WorldParams world_params(const Simulation& simulation);
 [[nodiscard]] footstep_gen::WalkerParams walker_params(const Simulation& simulation);
 
+/// What faults do to the body of a robot in a world, which must outlive it. Pushes are level.
+[[nodiscard]] walk::BodyAccess body_of(sim3d::World& world);
+
 /// Walks it.
 /// @param observer  called after every tick
 /// @param stop      once true, the walker makes an emergency stop and the walk ends

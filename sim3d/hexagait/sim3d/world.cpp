@@ -130,6 +130,9 @@ class World::Impl {
     push_steps_ = std::lround(seconds / params_.physics_dt);
   }
 
+  void cut(LegId leg) { robot_.cut(leg); }
+  void weaken(LegId leg, int joint, double share) { robot_.servos().weaken(leg, joint, share); }
+
   const GroundTruth& truth() const { return truth_; }
   const LegArray<LegJoints>& efforts() const { return robot_.servos().efforts(); }
   const Terrain& terrain() const { return ground_.terrain(); }
@@ -234,6 +237,8 @@ World& World::operator=(World&&) noexcept = default;
 PlantStatus World::read(Measurement& measurement) { return impl_->read(measurement); }
 void World::write(const JointTargets& targets) { impl_->write(targets); }
 void World::push(const Vector3& force_W, double seconds) { impl_->push(force_W, seconds); }
+void World::cut(LegId leg) { impl_->cut(leg); }
+void World::weaken(LegId leg, int joint, double share) { impl_->weaken(leg, joint, share); }
 const GroundTruth& World::truth() const { return impl_->truth(); }
 const LegArray<LegJoints>& World::efforts() const { return impl_->efforts(); }
 const Terrain& World::terrain() const { return impl_->terrain(); }

@@ -153,6 +153,13 @@ class World : public Plant {
   /// @param seconds  duration [s]
   void push(const Vector3& force_W, double seconds);
 
+  /// Cuts a leg off at its first joint: from now on it is not there. Its joints read what they read
+  /// last, and its foot touches nothing.
+  void cut(LegId leg);
+
+  /// Leaves a joint's servo this share of the effort limit that it has in the model.
+  void weaken(LegId leg, int joint, double share);
+
   /// For referees only.
   [[nodiscard]] const GroundTruth& truth() const;
 

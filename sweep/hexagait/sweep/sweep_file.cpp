@@ -128,8 +128,10 @@ class SweepReader {
 
   void read_plant(const YamlField& item) {
     try {
-      add_once(item, "plant", sweep_.plants, recording::parse_plant(yaml_.node(item.node).text),
-               &recording::PlantSetup::name);
+      const recording::PlantSetup plant = recording::parse_plant(yaml_.node(item.node).text);
+      for (const Robot& robot : sweep_.robots)
+        static_cast<void>(resolved(plant.parts, robot.model));
+      add_once(item, "plant", sweep_.plants, plant, &recording::PlantSetup::name);
     } catch (const InvalidInput& error) {
       yaml_.refuse(item.mark, error.what());
     }

@@ -30,6 +30,9 @@ TheoremReport verify(const Rules& rules, const Scope& scope, const Progress& pro
   finish(literal_reading(rules, scope), 0.02);
   finish(wave_gaits(rules, scope), 0.09);
   finish(duty_factor_changes(rules, scope), 0.0);
+  finish(odd_no_lock(rules, scope), 0.0);
+  finish(odd_rule_1(rules, scope), 0.0);
+  finish(odd_throughput(rules, scope), 0.0);
   return report;
 }
 

@@ -13,6 +13,7 @@ namespace hexagait::verify {
 /// Bounds of the enumeration. The defaults are those of the claims; tests use less.
 struct Scope {
   std::vector<int> legs = {4, 6, 8, 10, 12};  ///< numbers of legs; theorems about types use 6 only
+  std::vector<int> odd_legs = {5, 7, 9, 11};  ///< legs of rings that have lost one
   int step_time = 6;                          ///< T = 1 … this [slices]
   int step_time_8 = 3;  ///< the same for Scene::all with 8 legs; more legs: reachable only
 };

@@ -15,7 +15,7 @@ using namespace gait_state;
 using testing::Contains;
 using testing::ElementsAre;
 
-const Scope kQuick{.legs = {4, 6}, .step_time = 2, .step_time_8 = 0};
+const Scope kQuick{.legs = {4, 6}, .odd_legs = {5, 7}, .step_time = 2, .step_time_8 = 0};
 
 Theorem quick_convergence(const Rules& rules) {
   return convergence(rules, kQuick, [](double) {});
@@ -31,7 +31,7 @@ TEST(Verify, FindsThatTheLibrarysRulesHoldAndTellsHowFarItHasGot) {
     last = share;
   });
   EXPECT_NEAR(last, 1.0, 1e-9);
-  EXPECT_EQ(report.theorems.size(), 11U);
+  EXPECT_EQ(report.theorems.size(), 14U);
   for (const Theorem& theorem : report.theorems) {
     EXPECT_TRUE(theorem.holds()) << theorem.name << ": " << theorem.counterexample;
     EXPECT_GT(theorem.cases, 0) << theorem.name;
@@ -95,6 +95,27 @@ TEST(BrokenRule, WithoutTheCyclicCase) {
     return combined.was_cyclic ? Combined{{ring_mask(6), 6}, false} : combined;
   };
   EXPECT_FALSE(no_lock(rules, kQuick).holds());
+  EXPECT_FALSE(odd_no_lock(rules, kQuick).holds());
+}
+
+// The lost leg still keeps its neighbours apart, as if it stood between them.
+TEST(BrokenRule, WithARingThatDoesNotClose) {
+  Rules rules;
+  rules.update = [](GaitLatch& latch, GaitInput input, const GaitParams& params) {
+    latch.stored.n = latch.raw.n = input.lag.size();
+    latch.stored.lost = latch.raw.lost = input.lost = {};
+    return latch.update(input, params);
+  };
+  EXPECT_FALSE(odd_rule_1(rules, kQuick).holds());
+}
+
+TEST(BrokenRule, WithAnOddRingThatIsNotBalanced) {
+  Rules rules;
+  rules.update = [](GaitLatch& latch, const GaitInput& input, GaitParams params) {
+    params.adjustment = Adjustment::none;
+    return latch.update(input, params);
+  };
+  EXPECT_FALSE(odd_rule_1(rules, kQuick).holds());
 }
 
 // Legs 1 and 3 stand in each other's places: 0 and 3, 1 and 5 are no longer neighbours.

@@ -51,9 +51,12 @@ SteeredWalk::SteeredWalk(const RobotModel& robot, const recording::Simulation& s
                          const WalkStart& start)
     : robot_(robot),
       simulation_(simulation),
-      world_(robot_, simulation.terrain, world_params_at(simulation, start.X_WB),
+      world_(with_loads(robot_, simulation.plant.parts), simulation.terrain,
+             world_params_at(simulation, start.X_WB),
              posture_on(sim3d::Terrain(simulation.terrain, simulation.seed), robot_, start)),
-      plant_(world_, robot_, simulation.plant.faults, simulation.control_dt, simulation.seed),
+      broken_(world_, resolved(simulation.plant.parts, robot_), recording::body_of(world_),
+              simulation.control_dt, kSettle, simulation.seed),
+      plant_(broken_, robot_, simulation.plant.faults, simulation.control_dt, simulation.seed),
       walker_(robot_, recording::walker_params(simulation)),
       path_(start.X_WB) {
   settle();

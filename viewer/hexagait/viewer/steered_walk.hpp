@@ -69,6 +69,7 @@ class SteeredWalk {
   RobotModel robot_;
   recording::Simulation simulation_;
   sim3d::World world_;
+  walk::PartFaultPlant broken_;
   walk::FaultyPlant plant_;
   footstep_gen::Walker walker_;
   Measurement measurement_;

@@ -173,19 +173,24 @@ void Referee::watch_rule1(const TickRecord& record, const GroundTruth& truth) {
   for (LegId i = 0; i < n; ++i)
     if (record.lifts.contains(i)) lifts_.push_back({i, truth.time});
   summary_.steps += record.lifts.size();
-  const LegSet in_air = without(LegSet::all(n), feet_in_contact(truth));
-  const LegSet beside = gait_state::neighbours_of(in_air | record.lifts, n);
+  summary_.lost = record.lost;
+  summary_.findings = record.findings;
+  summary_.refused = summary_.refused || record.refuses;
+  const gait_state::Ring ring(n, record.lost);
+  const LegSet in_air = without(ring.present(), feet_in_contact(truth));
+  const LegSet beside = gait_state::neighbours_of(in_air | record.lifts, ring);
   summary_.rule1_violations += (record.lifts & beside).size();
   summary_.rule1_commanded += record.rule1_violations.size();
-  if (gait_state::breaks_rule_1(in_air, n)) summary_.neighbour_flight += dt_;
+  if (gait_state::breaks_rule_1(in_air, ring)) summary_.neighbour_flight += dt_;
 }
 
 void Referee::watch_legs(const TickRecord& record) {
   for (LegId i = 0; i < model_->num_legs(); ++i) {
     const LegLane& lane = record.legs[i];
     const bool stands = lane.phase == LegPhase::support && lane.confirmed;
-    not_standing_[i] = stands ? 0.0 : not_standing_[i] + dt_;
-    not_stepping_[i] = record.lifts.contains(i) ? 0.0 : not_stepping_[i] + dt_;
+    const bool lost = record.lost.contains(i);
+    not_standing_[i] = stands || lost ? 0.0 : not_standing_[i] + dt_;
+    not_stepping_[i] = record.lifts.contains(i) || lost ? 0.0 : not_stepping_[i] + dt_;
   }
 }
 

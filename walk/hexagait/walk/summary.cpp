@@ -50,4 +50,24 @@ std::string in_words(const Hindrance& hindrance, const RobotModel& robot) {
                      collisions, what, help);
 }
 
+std::vector<std::string> found_in_words(const Summary& summary, const RobotModel& robot) {
+  const footstep_gen::LegFindings& found = summary.findings;
+  std::vector<std::string> words;
+  for (LegId i = 0; i < robot.num_legs(); ++i) {
+    const std::string& leg = robot.legs[i].name;
+    if (found.silent.contains(i))
+      words.push_back(fmt::format("leg {} does not answer; it walks without", leg));
+    if (found.stuck_closed.contains(i))
+      words.push_back(fmt::format("contact of {} never opens; it is not believed", leg));
+    if (found.stuck_open.contains(i))
+      words.push_back(fmt::format("contact of {} never closes; it is not believed", leg));
+    if (found.noisy.contains(i))
+      words.push_back(fmt::format("joints of {} are noisy; they are not believed", leg));
+  }
+  if (summary.refused)
+    words.emplace_back(
+        "it stands: it does not walk with fewer than two legs on a side, or than four in all");
+  return words;
+}
+
 }  // namespace hexagait::walk

@@ -6,6 +6,7 @@
 #include <hexagait/footstep_gen/tick_record.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace hexagait::walk {
 
@@ -19,6 +20,12 @@ struct Hindrance {
 
 /// "leg LF rises or transfers for 4.2 s …", and what would help.
 [[nodiscard]] std::string in_words(const Hindrance& hindrance, const RobotModel& robot);
+
+struct Summary;
+
+/// What the controller found out about its legs and did about it, a sentence each; empty: nothing.
+[[nodiscard]] std::vector<std::string> found_in_words(const Summary& summary,
+                                                      const RobotModel& robot);
 
 /// How well a robot walked, by ground truth. What was not computed is 0; what is a statistic of
 /// nothing is NaN.
@@ -63,7 +70,10 @@ struct Summary {
   /// Those of them that lasted longer than 20 ms, or in which the foot went more than 5 mm from where
   /// it last touched. The others are bounces, most of them when another foot strikes the ground.
   int real_contact_losses = 0;
-  bool fell = false;  ///< the base touched the ground, or tilted by more than 60°
+  LegSet lost;                         ///< legs that the controller does without, at the end
+  footstep_gen::LegFindings findings;  ///< what it has found out about its legs, at the end
+  bool refused = false;                ///< it did not walk, since too few legs were left
+  bool fell = false;                   ///< the base touched the ground, or tilted by more than 60°
   /// No progress for too long: RefereeParams::progress and patience; and what was in the way.
   bool stuck = false;
   Hindrance hindrance;
@@ -75,7 +85,9 @@ struct Summary {
   std::uint64_t state_hash = 0;  ///< of the true pose and all joints at every tick (FNV-1a)
 
   /// Walked to the end as asked.
-  [[nodiscard]] bool ok() const { return !fell && !stuck && fault == footstep_gen::Fault::none; }
+  [[nodiscard]] bool ok() const {
+    return !fell && !stuck && !refused && fault == footstep_gen::Fault::none;
+  }
 };
 
 }  // namespace hexagait::walk

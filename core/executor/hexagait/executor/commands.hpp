@@ -26,6 +26,7 @@ struct PoseAdaptationInput {
   LegArray<Vector3> p_BC;          ///< workspace centres, body frame [m]
   LegArray<Vector3> footprint_BF;  ///< last measured footprint of each foot, body frame [m]
   LegSet support;                  ///< legs that carry the body
+  LegSet lost = {};                ///< legs that count for nothing; p_BF is at their centre
 };
 
 /// The desired displacement of the base: the result of a pose adaptation.

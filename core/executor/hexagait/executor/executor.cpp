@@ -54,6 +54,7 @@ Executor::Executor(const RobotModel& model, const ExecutorParams& params)
 void Executor::reset(const RobotState& state, RestsOn rests_on) {
   const int foot_knots = foot_knots_, joint_knots = joint_knots_, base_knots = base_knots_;
   const Stance stance = stance_;
+  const LegSet lost = lost_;
   *this = Executor(*model_, params_);
   stance_ = stance;
   reserve(foot_knots, joint_knots, base_knots);
@@ -66,12 +67,15 @@ void Executor::reset(const RobotState& state, RestsOn rests_on) {
     lag_.restart(i, state.p_BF[i]);
     trig_[i] = state.trig[i];
   }
+  for (LegId i = 0; i < legs_.size(); ++i)
+    if (lost.contains(i)) lose(i);
   footholds_.watch(state.slide_O, {}, params_.swing.slide_time, params_.swing);
   targets_.q = state.q;
   X_OD_ = state.X_OB;
 }
 
 void Executor::command(const FootstepCommand& step, const RobotState& state) noexcept {
+  if (lost_.contains(step.leg)) return;
   hexagait::command(legs_[step.leg], step, state.X_OB);
 }
 
@@ -88,6 +92,7 @@ void Executor::reserve(int foot_knots, int joint_knots, int base_knots) {
 
 void Executor::command(LegId leg, const LegPlan& plan, const RobotState& state,
                        double begin) noexcept {
+  if (lost_.contains(leg)) return;
   plans_[leg] = plan;
   // A leg that was driven by effort starts from where it is.
   if (targets_.mode[leg] == ControlMode::effort) legs_[leg].p_BF = state.p_BF[leg];
@@ -278,6 +283,10 @@ void Executor::even_out_loads(const RobotState& state, double dt) noexcept {
 void Executor::move_legs(const RobotState& state, double dt) noexcept {
   const double unknown = kUnknownLag * params_.swing.max_speed * lag_.lag();
   for (LegId i = 0; i < legs_.size(); ++i) {
+    if (lost_.contains(i)) {
+      tuck(i, dt);
+      continue;
+    }
     const double error = std::max(0.0, lag_.error(i) - unknown);
     const LegSensed sensed{state.contact[i], error, reachable_[i], off_[i]};
     const LegPhase before = legs_[i].phase;
@@ -334,10 +343,10 @@ LegArray<double> Executor::footing() const noexcept {
 PoseAdaptationInput Executor::pose_adaptation_input(const RobotState& state) const noexcept {
   const int n = legs_.size();
   PoseAdaptationInput input{LegArray<Vector3>(n), LegArray<Vector3>(n), LegArray<Vector3>(n),
-                            support()};
+                            support(), lost_};
   const Pose X_BO = state.X_OB.inverse();
   for (LegId i = 0; i < n; ++i) {
-    input.p_BF[i] = legs_[i].p_BF;
+    input.p_BF[i] = lost_.contains(i) ? stance_.p_BC[i] : legs_[i].p_BF;
     input.p_BC[i] = stance_.p_BC[i];
     input.footprint_BF[i] = X_BO * state.print_O[i];
     // A foot below its last footprint still has no ground: lower the body towards it.

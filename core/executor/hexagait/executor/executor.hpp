@@ -8,8 +8,8 @@
 #include <hexagait/executor/foothold_watch.hpp>
 #include <hexagait/executor/lag_watch.hpp>
 #include <hexagait/executor/leg_lane.hpp>
-#include <hexagait/params/params_for.hpp>
 #include <hexagait/model/stance.hpp>
+#include <hexagait/params/params_for.hpp>
 #include <hexagait/plant/plant.hpp>
 #include <hexagait/plant/robot_state.hpp>
 
@@ -80,6 +80,18 @@ class Executor {
   void set_stance(const Stance& stance) noexcept { stance_ = stance; }
   [[nodiscard]] const Stance& stance() const { return stance_; }
 
+  /// The leg takes no part from now on: it never supports, commands to it do nothing, and it is tucked
+  /// up, if it can be. reset() keeps it so.
+  void lose(LegId leg) noexcept;
+  [[nodiscard]] LegSet lost() const { return lost_; }
+  /// Lets all feet that are up descend at once, and not go on to their footholds.
+  void put_down() noexcept;
+  /// Centre of mass in the nominal stance: the model's; with a lost leg half-way from there to where it
+  /// is without the leg, of which nobody knows whether it hangs or is gone [m].
+  [[nodiscard]] Vector3 p_BM() const {
+    return lost_.empty() ? model_->p_BM : Vector3(model_->p_BM + lost_shift_);
+  }
+
   /// Rate of the plans' time: 1 as planned, 0 paused.
   void set_rate(double rate) noexcept { rate_ = rate; }
 
@@ -122,6 +134,10 @@ class Executor {
   [[nodiscard]] bool failed() const { return failed_; }
   /// Was the program of the contact forces solved in the last tick? Always if kinematic.
   [[nodiscard]] QpStatus contact_forces() const { return contact_forces_; }
+  /// Distance of a foot in the air from where a drive with lag has it, as of the last tick [m].
+  [[nodiscard]] double tracking_error(LegId leg) const { return lag_.error(leg); }
+  /// From its set point to the measured foot, in the body frame, as of the last tick [m].
+  [[nodiscard]] const Vector3& off(LegId leg) const { return off_[leg]; }
   /// Lag of the drives, as estimated [s].
   [[nodiscard]] double drive_lag() const { return lag_.lag(); }
   [[nodiscard]] const ExecutorParams& params() const { return params_; }
@@ -153,6 +169,7 @@ class Executor {
   void go_on(const RobotState& state, double dt) noexcept;
   void note_tracking(const RobotState& state, double dt) noexcept;
   void move_legs(const RobotState& state, double dt) noexcept;
+  void tuck(LegId leg, double dt) noexcept;
   void even_out_loads(const RobotState& state, double dt) noexcept;
   void stand_where_it_is(LegId leg, const RobotState& state) noexcept;
   void set_joints(const RobotState& state, double dt) noexcept;
@@ -171,6 +188,8 @@ class Executor {
   const RobotModel* model_;
   ExecutorParams params_;
   Stance stance_;
+  LegSet lost_;
+  Vector3 lost_shift_ = Vector3::Zero();  ///< of the centre of mass [m]
   LegArray<LegLane> legs_;
   LegArray<LegTrig> trig_;           ///< of the joint targets
   LegArray<LegJoints> last_change_;  ///< of the joint targets in the last tick [rad]

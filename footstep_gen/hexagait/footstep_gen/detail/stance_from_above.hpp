@@ -13,10 +13,10 @@ struct StanceFromAbove {
 };
 
 /// @param R_OB  the body's rotation in odom, whose z is up
-[[nodiscard]] inline StanceFromAbove stance_from_above(const RobotModel& model,
-                                                       const Executor& executor,
+[[nodiscard]] inline StanceFromAbove stance_from_above(const Executor& executor,
                                                        const Matrix3& R_OB) noexcept {
-  StanceFromAbove stance{LegArray<Vector3>(model.num_legs()), (R_OB * model.p_BM).head<2>()};
+  StanceFromAbove stance{LegArray<Vector3>(executor.legs().size()),
+                         (R_OB * executor.p_BM()).head<2>()};
   for (LegId i = 0; i < stance.feet.size(); ++i) stance.feet[i] = R_OB * executor.legs()[i].p_BF;
   return stance;
 }

@@ -165,6 +165,14 @@ void Robot::step_world(const Vector3& force_W) {
   servos_.read_efforts();
 }
 
+void Robot::cut(LegId leg) {
+  servos_.cut(leg);
+  for (const Link& link : links_[leg]) {
+    dBodyDisable(link.body);
+    std::erase_if(shapes_, [&](const RobotShape& shape) { return shape.body == link.body; });
+  }
+}
+
 void Robot::save_bodies() {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     BodyState& state = saved_[i];

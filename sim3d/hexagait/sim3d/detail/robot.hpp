@@ -40,6 +40,9 @@ class Robot {
   /// @param force_W  external force at the base's centre of mass, world axes [N]
   void step(double to_come, const Vector3& force_W);
 
+  /// Takes a leg off: it stays where it is, is not moved any more and touches nothing.
+  void cut(LegId leg);
+
   [[nodiscard]] const std::vector<RobotShape>& shapes() const { return shapes_; }
   [[nodiscard]] Pose X_WB() const;
   [[nodiscard]] Twist V_WB() const;             ///< axes of the base

@@ -71,9 +71,26 @@ void Servos::add(dWorldID world, dJointID hinge, LegId leg, Eigen::Index joint,
     dJointSetAMotorParam(servo.rotor, dParamCFM, h_ / armature_);
     dJointSetAMotorParam(servo.rotor, dParamFMax, dInfinity);
   }
-  if (drive_friction_ > 0.0)
-    dJointSetAMotorParam(add_row(world, hinge), dParamFMax, drive_friction_);
+  if (drive_friction_ > 0.0) {
+    servo.brake = add_row(world, hinge);
+    dJointSetAMotorParam(servo.brake, dParamFMax, drive_friction_);
+  }
   servos_.push_back(servo);
+}
+
+void Servos::cut(LegId leg) {
+  for (const Servo& servo : servos_) {
+    if (servo.leg != leg) continue;
+    for (const dJointID joint : {servo.hinge, servo.rotor, servo.brake})
+      if (joint != nullptr) dJointDestroy(joint);
+    efforts_[servo.leg][servo.joint] = 0.0;
+  }
+  std::erase_if(servos_, [leg](const Servo& servo) { return servo.leg == leg; });
+}
+
+void Servos::weaken(LegId leg, Eigen::Index joint, double share) {
+  for (Servo& servo : servos_)
+    if (servo.leg == leg && servo.joint == joint) servo.limits.effort *= share;
 }
 
 void Servos::command(double to_come) {

@@ -39,6 +39,12 @@ class Servos {
   void add(dWorldID world, dJointID hinge, LegId leg, Eigen::Index joint,
            const JointLimits& limits);
 
+  /// Takes the servos of a leg and their hinges out of the world; their positions stay as they are.
+  void cut(LegId leg);
+
+  /// Leaves a servo this share of its effort limit.
+  void weaken(LegId leg, Eigen::Index joint, double share);
+
   /// Sets the targets; positions reach `targets.q` at the end of the control period, at
   /// `targets.qd`.
   void set_targets(const JointTargets& targets) { targets_ = targets; }
@@ -76,11 +82,11 @@ class Servos {
     LegId leg = 0;
     Eigen::Index joint = 0;
     JointLimits limits;
-    dJointID rotor = nullptr;  // rows of their own, if there are such
-    Motor own = {};            // as commanded, without a velocity limit
-    Motor row = {};            // in the solver
-    int at_limit = 0;          // ±1: the row is that of the velocity limit
-    bool bounded = false;      // does the solver enforce the effort limit?
+    dJointID rotor = nullptr, brake = nullptr;  // rows of their own, if there are such
+    Motor own = {};                             // as commanded, without a velocity limit
+    Motor row = {};                             // in the solver
+    int at_limit = 0;                           // ±1: the row is that of the velocity limit
+    bool bounded = false;                       // does the solver enforce the effort limit?
   };
 
   [[nodiscard]] static double angle_of(const Servo& servo);

@@ -31,12 +31,13 @@ bool second_goes_first(const Situation& situation, LegId a, LegId b) {
 
 GaitState raw_of(const Situation& situation) {
   const GaitState& state = situation.state;
-  const RingBits air = ring_bits(airborne(situation), state.n);
+  const Ring ring = state.ring();
+  const RingBits air = ring_bits(airborne(situation), ring);
   const RingBits next_air = from_after(air, state.n);
-  GaitState raw{(state.bits & ~air) | (next_air & ~air), state.n};
+  GaitState raw{(state.bits & ~air) | (next_air & ~air), state.n, state.lost};
   for (int k = 0; k < state.n; ++k) {
     if (((air & next_air) >> k & 1U) == 0) continue;
-    if (second_goes_first(situation, leg_at(k, state.n), leg_at((k + 1) % state.n, state.n)))
+    if (second_goes_first(situation, leg_at(k, ring), leg_at((k + 1) % state.n, ring)))
       raw.bits |= 1U << k;
   }
   return raw;
@@ -62,7 +63,7 @@ bool is_step(const Slice& slice) noexcept {
 }
 
 bool keeps_rule_1(const Slice& slice) noexcept {
-  return (neighbours_of(slice.lifted, slice.next.state.n) & airborne(slice.next)).empty();
+  return (neighbours_of(slice.lifted, slice.next.state.ring()) & airborne(slice.next)).empty();
 }
 
 std::string to_string(const Situation& situation) {
@@ -89,12 +90,13 @@ std::vector<GaitState> balanced_states(int n) {
 }
 
 LegArray<double> lags_of(const GaitState& state) {
-  LegArray<double> lag(state.n, 0.0);
+  const Ring ring = state.ring();
+  LegArray<double> lag(ring.legs, 0.0);
   for (int round = 0; round < state.n; ++round) {
     for (int k = 0; k < state.n; ++k) {
       const bool less = ((state.bits >> k) & 1U) != 0;
-      double& a = lag[leg_at(k, state.n)];
-      double& b = lag[leg_at((k + 1) % state.n, state.n)];
+      double& a = lag[leg_at(k, ring)];
+      double& b = lag[leg_at((k + 1) % state.n, ring)];
       double& first = less ? b : a;
       first = std::max(first, (less ? a : b) + kSpacing);
     }
@@ -102,10 +104,17 @@ LegArray<double> lags_of(const GaitState& state) {
   return lag;
 }
 
-Slices::Slices(const Rules& rules, int n, int step_time, Adjustment adjustment)
-    : rules_(rules), n_(n), step_time_(step_time), lags_(1U << n) {
+Slices::Slices(const Rules& rules, const Ring& ring, int step_time, Adjustment adjustment)
+    : rules_(rules),
+      lost_(ring.lost),
+      n_(ring.size()),
+      step_time_(step_time),
+      lags_(std::size_t{1} << n_) {
   params_.adjustment = adjustment;
-  for (const GaitState& state : non_cyclic_states(n)) lags_[state.bits] = lags_of(state);
+  for (GaitState state : non_cyclic_states(n_)) {
+    state.lost = lost_;
+    lags_[state.bits] = lags_of(state);
+  }
 }
 
 GaitLatch Slices::latch_in(const Situation& situation) const {
@@ -115,7 +124,7 @@ GaitLatch Slices::latch_in(const Situation& situation) const {
 Slice Slices::advance(const Situation& situation, const Choose& choose) const {
   GaitLatch latch = latch_in(situation);
   Slice slice{.next = situation, .lifted = {}, .expected = {}};
-  GaitInput input{lags_[situation.state.bits], {}, {}};
+  GaitInput input{lags_[situation.state.bits], {}, {}, lost_};
 
   // Landings: at the front after a step, unchanged after a slip.
   LegSet landed;

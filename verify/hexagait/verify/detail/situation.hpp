@@ -63,7 +63,8 @@ using Choose = std::function<LegSet(LegSet may_step, LegSet airborne)>;
 /// Applies the update of `rules` slice by slice.
 class Slices {
  public:
-  Slices(const Rules& rules, int n, int step_time, Adjustment adjustment);
+  /// @param ring  of legs 0 … n − 1
+  Slices(const Rules& rules, const gait_state::Ring& ring, int step_time, Adjustment adjustment);
 
   /// The update is called after the landings and again after the lifts, since the control loop is
   /// faster than a slice.
@@ -77,6 +78,7 @@ class Slices {
 
  private:
   const Rules& rules_;
+  LegSet lost_;
   int n_, step_time_;
   gait_state::GaitParams params_{.tie_tolerance = 1e-3};
   std::vector<LegArray<double>> lags_;  // indexed by the state's bits

@@ -43,4 +43,13 @@ namespace hexagait::verify {
 /// The same if the duty factor changes at any slice.
 [[nodiscard]] Theorem duty_factor_changes(const Rules& rules, const Scope& scope);
 
+/// Odd rings, of legs that are left: never cyclic, balanced, and a leg may step.
+[[nodiscard]] Theorem odd_no_lock(const Rules& rules, const Scope& scope);
+
+/// Rule 1 for six legs of which any one is lost.
+[[nodiscard]] Theorem odd_rule_1(const Rules& rules, const Scope& scope);
+
+/// (n − 1)/2 legs of an odd ring are in the air on average, and all step equally often.
+[[nodiscard]] Theorem odd_throughput(const Rules& rules, const Scope& scope);
+
 }  // namespace hexagait::verify

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <hexagait/footstep_gen/leg_watch.hpp>
+
+namespace hexagait::footstep_gen {
+namespace {
+
+constexpr double kSlow = 0.2;              // time constant of the slow part [s]
+constexpr double kWindow = 0.07 * 0.07;    // asked of a leg before its answer is judged [rad² s]
+constexpr double kAnswer = 0.25;           // least share of what is asked
+constexpr int kWindows = 4;                // in a row
+constexpr int kWindowsMore = 12;           // the same of a second leg
+constexpr double kSag = 2.5;               // of blocked_error
+constexpr double kHanging = 0.3;           // of a leg that is up [s]
+constexpr double kSagging = 0.04;          // [s]
+constexpr double kClosedHigh = 0.25;       // [s]
+constexpr double kHigh = 0.5;              // of the clearance
+constexpr double kStopped = 0.3;           // in all, and no contact since [s]
+constexpr double kTouch = 0.02;            // without a break: it stands [s]
+constexpr double kStopShare = 0.125;       // of blocked_error
+constexpr double kBelow = 2.0;             // touchdown_margin below where the ground is expected
+constexpr double kNoiseMemory = 0.5;       // [s]
+constexpr double kNoiseShare = 1.0 / 3.0;  // of blocked_error
+constexpr double kNoisier = 3.0;           // than other legs
+
+bool goes_down(LegPhase phase) { return phase == LegPhase::descend || phase == LegPhase::search; }
+bool is_up(LegPhase phase) {
+  return phase == LegPhase::lift || phase == LegPhase::transfer || phase == LegPhase::retreat;
+}
+
+// Does the ground stop a foot on its way down? Not that it is late.
+bool stopped_from_below(LegId leg, const Executor& executor, const RobotState& state) {
+  const double bound = kStopShare * executor.params().swing.blocked_error;
+  const Vector3 up_B = state.X_OB.R.row(2);
+  return executor.tracking_error(leg) > bound && up_B.dot(executor.off(leg)) > bound;
+}
+
+// So far below where the ground is expected that the foot had better stand: the loads are evened out
+// once it does.
+bool is_below(const LegLane& lane, const Executor& executor, const RobotState& state) {
+  const double below = kBelow * executor.params().swing.touchdown_margin;
+  return (state.X_OB * lane.p_BF).z() < lane.step.p_OT.z() - below;
+}
+
+}  // namespace
+
+LegWatch::LegWatch(int legs) : legs_(legs) {}
+
+void LegWatch::watch(const RobotModel& model, const Executor& executor, const RobotState& state,
+                     const Measurement& measurement, SensorMask sensors, double dt) noexcept {
+  for (LegId i = 0; i < legs_.size(); ++i) {
+    if (executor.lost().contains(i)) continue;
+    if (sensors.joint_feedback) watch_answer(i, executor, measurement.q[i], dt);
+    if (sensors.joint_feedback) watch_noise(i, executor, measurement.q[i], dt);
+    if (sensors.foot_contacts) watch_contact(i, executor, state, measurement.contact[i], dt);
+  }
+  if (sensors.joint_feedback) compare_noise(model, executor);
+  ticks_ = std::min(ticks_ + 1, 3);
+}
+
+void LegWatch::watch_answer(LegId leg, const Executor& executor, const LegJoints& q,
+                            double dt) noexcept {
+  Leg& of = legs_[leg];
+  const LegJoints& target = executor.targets().q[leg];
+  if (ticks_ == 0) {
+    of.target_slow = target;
+    of.q_slow = q;
+  }
+  const LegJoints asked = target - of.target_slow, answered = q - of.q_slow;
+  of.target_slow += dt / (kSlow + dt) * asked;
+  of.q_slow += dt / (kSlow + dt) * answered;
+  const LegPhase phase = executor.legs()[leg].phase;
+  const double bound = kSag * executor.params().swing.blocked_error;
+  const bool stands = phase == LegPhase::support;
+  const bool sags = (stands || is_up(phase)) && executor.off(leg).norm() > bound;
+  of.sagging = sags ? of.sagging + dt : 0.0;
+  if (of.sagging > (stands ? kSagging : kHanging) && executor.lost().empty())
+    findings_.silent.insert(leg);
+  if (!is_up(phase) && !goes_down(phase)) return;
+  of.asked += dt * asked.squaredNorm();
+  of.answered += dt * asked.dot(answered);
+  if (of.asked < kWindow) return;
+  of.silent_windows = of.answered < kAnswer * of.asked ? of.silent_windows + 1 : 0;
+  of.asked = of.answered = 0.0;
+  if (of.silent_windows >= (executor.lost().empty() ? kWindows : kWindowsMore))
+    findings_.silent.insert(leg);
+}
+
+void LegWatch::watch_contact(LegId leg, const Executor& executor, const RobotState& state,
+                             bool contact, double dt) noexcept {
+  Leg& of = legs_[leg];
+  const LegLane& lane = executor.legs()[leg];
+  const double risen = (state.X_OB * state.p_BF[leg]).z() - lane.p_OL.z();
+  const bool high = is_up(lane.phase) && risen > kHigh * lane.step.profile_height;
+  if (high || !contact) of.closed_high = contact ? of.closed_high + dt : 0.0;
+  if (of.closed_high > kClosedHigh) findings_.stuck_closed.insert(leg);
+  if (!contact) findings_.stuck_closed.erase(leg);
+
+  const bool stopped = goes_down(lane.phase) && stopped_from_below(leg, executor, state);
+  of.pressed = stopped ? of.pressed + dt : 0.0;
+  of.stopped = contact ? 0.0 : of.stopped + (stopped ? dt : 0.0);
+  if (of.stopped > kStopped) findings_.stuck_open.insert(leg);
+  if (contact) findings_.stuck_open.erase(leg);
+}
+
+void LegWatch::watch_noise(LegId leg, const Executor& executor, const LegJoints& q,
+                           double dt) noexcept {
+  Leg& of = legs_[leg];
+  const LegJoints error = q - executor.targets().q[leg];
+  if (ticks_ >= 2) {
+    const LegJoints second = error - 2.0 * of.error_before + of.error_before_that;
+    const double square = second.cwiseAbs2().maxCoeff() / 6.0;
+    of.variance += dt / (kNoiseMemory + dt) * (square - of.variance);
+  }
+  of.error_before_that = of.error_before;
+  of.error_before = error;
+}
+
+void LegWatch::compare_noise(const RobotModel& model, const Executor& executor) noexcept {
+  double greatest = 0.0, next = 0.0;
+  LegId noisiest = 0;
+  for (LegId i = 0; i < legs_.size(); ++i) {
+    const double variance = legs_[i].variance;
+    if (executor.lost().contains(i)) continue;
+    if (variance > greatest) {
+      next = greatest;
+      greatest = variance;
+      noisiest = i;
+    } else {
+      next = std::max(next, variance);
+    }
+  }
+  const double bound =
+      kNoiseShare * executor.params().swing.blocked_error / model.legs[noisiest].max_reach;
+  if (greatest > bound * bound && greatest > kNoisier * kNoisier * next)
+    findings_.noisy.insert(noisiest);
+}
+
+Measurement LegWatch::mended(const Measurement& measurement, const Executor& executor,
+                             const RobotState& state) const noexcept {
+  Measurement mended = measurement;
+  for (LegId i = 0; i < legs_.size(); ++i) {
+    if (findings_.noisy.contains(i)) mended.q[i] = executor.targets().q[i];
+    if (!findings_.deaf().contains(i)) continue;
+    const LegLane& lane = executor.legs()[i];
+    mended.contact[i] =
+        lane.on_ground() ||
+        (goes_down(lane.phase) && (legs_[i].pressed >= kTouch || is_below(lane, executor, state)));
+  }
+  return mended;
+}
+
+}  // namespace hexagait::footstep_gen

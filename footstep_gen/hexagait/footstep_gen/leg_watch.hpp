@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <hexagait/executor/executor.hpp>
+#include <hexagait/executor/state_estimator.hpp>
+#include <hexagait/plant/plant.hpp>
+
+/// What a controller can find out by itself about its legs and their sensors, and what it does about it.
+namespace hexagait::footstep_gen {
+
+/// What has been found. A silent leg and a noisy one stay so until the next start(); a contact is believed
+/// again when it changes after all.
+struct LegFindings {
+  LegSet silent;        ///< joints do not follow: the leg is dead or gone, and is lost
+  LegSet stuck_closed;  ///< the contact never opens, not even high above the ground
+  LegSet stuck_open;    ///< the contact never closes, not even where the ground stops the foot
+  LegSet noisy;         ///< joint readings of one leg are far noisier than those of the others
+
+  /// Contacts that are not believed: the foot stands from where the ground stops it.
+  [[nodiscard]] LegSet deaf() const noexcept { return stuck_closed | stuck_open; }
+  [[nodiscard]] bool none() const noexcept { return (silent | deaf() | noisy).empty(); }
+  friend bool operator==(const LegFindings&, const LegFindings&) = default;
+};
+
+/// Watches legs. A value; does not allocate.
+///
+/// **Silent.** While a leg is off the ground, with h the part of a signal that is faster than 0.2 s,
+/// q* the joint targets and q the readings,
+///
+///     ∫ h(q*) · h(q) dt < 1/4 ∫ |h(q*)|² dt      in four windows of (0.07 rad)² s in a row        (watch 1)
+///
+/// A leg that is blocked still rises, and delays of a servo are far shorter than 0.2 s. Or the foot of a leg
+/// in support is off its set point by 2.5 times blocked_error for 40 ms, or that of a leg that is up for 0.3 s: it does not bear its load,
+/// or its own weight. Of
+/// a second leg twelve windows are asked: with one gone feet are easily pinned.
+///
+/// **Stuck closed.** The contact of a foot reads closed for 0.25 s without a break while the foot is
+/// measured higher than half of its clearance above where it lifted.
+///
+/// **Stuck open.** Feet on their way down are stopped from below, beyond the lag of their drives by an
+/// eighth of blocked_error, for 0.3 s in all, and no contact is felt in between. A foot that bears its
+/// share of the weight is that much above its set point, a foot in the air is not.
+///
+/// **Noisy.** σ of the readings, by their second differences less those of the targets, times the leg's
+/// reach is more than a third of blocked_error and more than three times that of any other leg. Noise
+/// that all legs have is not a fault of one.
+class LegWatch {
+ public:
+  explicit LegWatch(int legs = 0);
+
+  /// Takes the measurement of this tick, with executor and state as the tick before left them.
+  void watch(const RobotModel& model, const Executor& executor, const RobotState& state,
+             const Measurement& measurement, SensorMask sensors, double dt) noexcept;
+
+  [[nodiscard]] const LegFindings& findings() const { return findings_; }
+
+  /// The measurement with what is not believed replaced: contacts by where the ground stops the foot,
+  /// or a little below where it is expected,
+  /// joints by their targets.
+  [[nodiscard]] Measurement mended(const Measurement& measurement, const Executor& executor,
+                                   const RobotState& state) const noexcept;
+
+ private:
+  struct Leg {
+    LegJoints target_slow = LegJoints::Zero(), q_slow = LegJoints::Zero();
+    double asked = 0.0, answered = 0.0;  ///< of (watch 1), in the present window [rad² s]
+    int silent_windows = 0;
+    double sagging = 0.0;      ///< how long the leg has not held its foot [s]
+    double closed_high = 0.0;  ///< how long the contact has been closed high up [s]
+    double pressed = 0.0;      ///< how long the ground has stopped the foot, without a break [s]
+    double stopped = 0.0;      ///< the same in all, and no contact since [s]
+    LegJoints error_before = LegJoints::Zero(), error_before_that = LegJoints::Zero();
+    double variance = 0.0;  ///< of the noisiest joint [rad²]
+  };
+
+  void watch_answer(LegId leg, const Executor& executor, const LegJoints& q, double dt) noexcept;
+  void watch_contact(LegId leg, const Executor& executor, const RobotState& state, bool contact,
+                     double dt) noexcept;
+  void watch_noise(LegId leg, const Executor& executor, const LegJoints& q, double dt) noexcept;
+  void compare_noise(const RobotModel& model, const Executor& executor) noexcept;
+
+  LegArray<Leg> legs_;
+  LegFindings findings_;
+  int ticks_ = 0;  ///< until the second differences are known
+};
+
+}  // namespace hexagait::footstep_gen

@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <hexagait/footstep_gen/walker.hpp>
+#include <testing/kinematic_plant.hpp>
+
+// Robots that lose legs, and sensors that lie, on a plant that follows exactly.
+namespace hexagait::footstep_gen {
+namespace {
+
+using heading_control::Heading;
+using testing::KinematicPlant;
+using testing::robot_of;
+
+constexpr double kDt = 0.002;
+
+LegSet set_of(std::initializer_list<LegId> legs) {
+  LegSet set;
+  for (const LegId leg : legs) set.insert(leg);
+  return set;
+}
+
+struct Walk {
+  explicit Walk(int legs = 6) : robot(robot_of(legs)), plant(robot, 0.0, {}), walker(robot) {
+    walker.start(plant.measurement);
+  }
+
+  /// @param lie  changes what is measured
+  void go_on(double seconds, const std::function<void(Measurement&)>& lie = {},
+             const std::function<void(const TickRecord&)>& watch = {}) {
+    for (double t = 0.0; t < seconds; t += kDt) {
+      Measurement measured = plant.measurement;
+      if (lie) lie(measured);
+      const TickRecord& record = walker.tick(PlantStatus::fresh, measured, Heading::straight(0.0));
+      if (watch) watch(record);
+      plant.follow(record, kDt);
+    }
+  }
+  double x() const { return plant.X_OB.p.x(); }
+
+  RobotModel robot;
+  KinematicPlant plant;
+  Walker walker;
+};
+
+TEST(MayWalkWithout, NeedsTwoLegsOnEachSideAndFourInAll) {
+  EXPECT_TRUE(may_walk_without({}, 4));
+  EXPECT_FALSE(may_walk_without(set_of({0}), 4));
+  for (LegId leg = 0; leg < 6; ++leg) EXPECT_TRUE(may_walk_without(set_of({leg}), 6));
+  EXPECT_FALSE(may_walk_without(set_of({0, 2}), 6)) << "one left leg is left";
+  EXPECT_TRUE(may_walk_without(set_of({0, 3}), 6));
+  EXPECT_TRUE(may_walk_without(set_of({0, 2}), 8));
+  EXPECT_FALSE(may_walk_without(set_of({0, 1, 2}), 6));
+}
+
+// Without leg 3 (right middle) legs 0 and 5 may lift together: the line from 1 to 4 passes below the
+// centre of a symmetric robot.
+TEST(LeastMargin, IsNothingUntilTheStanceIsRecentred) {
+  const RobotModel robot = robot_of(6);
+  const Stance nominal = nominal_stance(robot);
+  for (LegId leg = 0; leg < 6; ++leg) {
+    EXPECT_NEAR(least_margin(nominal.p_BC, Vector2::Zero(), set_of({leg})), 0.0, 1e-9);
+    const Stance stance = stance_without(set_of({leg}), robot, nominal, Vector2::Zero());
+    EXPECT_GT(least_margin(stance.p_BC, Vector2::Zero(), set_of({leg})), 0.04) << leg;
+    for (LegId other = 0; other < 6; ++other) {
+      if (other == leg) continue;
+      EXPECT_GT(stance.radius[other], 0.5 * nominal.radius[other]);
+      EXPECT_LE((stance.p_BC[other] - nominal.p_BC[other]).norm(),
+                0.6 * nominal.radius[leg] + 1e-9);
+    }
+  }
+}
+
+// On the left the centres move to the left: the body moves away from the gap.
+TEST(StanceWithout, MovesTheBodyAwayFromTheGap) {
+  const RobotModel robot = robot_of(6);
+  const Stance nominal = nominal_stance(robot);
+  const Stance left = stance_without(set_of({2}), robot, nominal, Vector2::Zero());
+  EXPECT_GT(left.p_BC[0].y(), nominal.p_BC[0].y() + 0.05);
+  const Stance right = stance_without(set_of({3}), robot, nominal, Vector2::Zero());
+  EXPECT_LT(right.p_BC[0].y(), nominal.p_BC[0].y() - 0.05);
+}
+
+TEST(LostLegs, TheRobotWalksOnWithFiveWhicheverIsLost) {
+  for (LegId lost = 0; lost < 6; ++lost) {
+    Walk walk;
+    walk.go_on(4.0);
+    const double before = walk.x();
+    walk.walker.lose_leg(lost);
+    LegSet stepped;
+    walk.go_on(12.0, {}, [&](const TickRecord& record) {
+      ASSERT_FALSE(record.lifts.contains(lost));
+      ASSERT_TRUE(record.rule1_violations.empty());
+      ASSERT_EQ(record.fault, Fault::none);
+      stepped = stepped | record.lifts;
+    });
+    EXPECT_EQ(stepped, without(LegSet::all(6), set_of({lost}))) << "without leg " << lost;
+    EXPECT_GT(walk.x() - before, 12.0 * 0.08) << "without leg " << lost;
+    EXPECT_GT(walk.walker.record().legs[lost].p_BF.z(), walk.walker.stance().p_BC[lost].z() + 0.1)
+        << "tucked up";
+  }
+}
+
+TEST(LostLegs, WithOneLegOnASideItStands) {
+  Walk walk;
+  walk.go_on(3.0);
+  walk.walker.lose_leg(0);
+  walk.go_on(3.0);
+  walk.walker.lose_leg(2);
+  walk.go_on(2.0);
+  const double before = walk.x();
+  LegSet lifts;
+  walk.go_on(3.0, {}, [&](const TickRecord& record) { lifts = lifts | record.lifts; });
+  EXPECT_TRUE(lifts.empty());
+  EXPECT_TRUE(walk.walker.record().refuses);
+  EXPECT_NEAR(walk.x(), before, 0.05);
+}
+
+TEST(LostLegs, ThatThereAreNotOrAreLostAlreadyAreNone) {
+  Walk walk;
+  walk.walker.lose_leg(-1);
+  walk.walker.lose_leg(6);
+  EXPECT_TRUE(walk.walker.lost_legs().empty());
+  walk.walker.lose_leg(4);
+  walk.walker.lose_leg(4);
+  EXPECT_EQ(walk.walker.lost_legs(), set_of({4}));
+  walk.walker.start(walk.plant.measurement);
+  EXPECT_EQ(walk.walker.lost_legs(), set_of({4})) << "start() keeps it";
+}
+
+TEST(LegWatch, FindsALegThatDoesNotAnswerAndGoesOnWithoutIt) {
+  Walk walk;
+  walk.go_on(3.0);
+  const LegJoints frozen = walk.plant.measurement.q[4];
+  walk.go_on(6.0, [&](Measurement& measured) { measured.q[4] = frozen; });
+  EXPECT_EQ(walk.walker.record().findings.silent, set_of({4}));
+  EXPECT_EQ(walk.walker.lost_legs(), set_of({4}));
+}
+
+// (One that never closes is found where the ground stops feet, which it does not on this plant.)
+TEST(LegWatch, FindsAContactThatNeverOpensAndWalksOn) {
+  Walk walk;
+  walk.go_on(3.0);
+  const auto lie = [](Measurement& measured) { measured.contact[1] = true; };
+  walk.go_on(6.0, lie);
+  EXPECT_EQ(walk.walker.record().findings.stuck_closed, set_of({1}));
+  EXPECT_TRUE(walk.walker.record().findings.silent.empty());
+  const double before = walk.x();
+  walk.go_on(6.0, lie);
+  EXPECT_GT(walk.x() - before, 6.0 * 0.15);
+  walk.go_on(1.0);
+  EXPECT_TRUE(walk.walker.record().findings.none()) << "it opens after all";
+}
+
+TEST(LegWatch, FindsTheLegWhoseJointsAreNoisyAndNoOther) {
+  Walk walk;
+  RandomSequence random{.seed = 1};
+  const auto noise = [&random](Measurement& measured, LegId first, LegId last) {
+    for (LegId leg = first; leg <= last; ++leg)
+      for (int k = 0; k < 3; ++k) measured.q[leg][k] += random.uniform(-0.02, 0.02);
+  };
+  walk.go_on(2.0, [&](Measurement& measured) { noise(measured, 2, 2); });
+  EXPECT_EQ(walk.walker.record().findings.noisy, set_of({2}));
+  Walk all;
+  all.go_on(2.0, [&](Measurement& measured) { noise(measured, 0, 5); });
+  EXPECT_TRUE(all.walker.record().findings.noisy.empty()) << "noise of all is nobody's fault";
+}
+
+TEST(LegWatch, FindsNothingInASoundRobot) {
+  for (const int legs : {4, 6, 8}) {
+    Walk walk(legs);
+    walk.go_on(10.0);
+    EXPECT_TRUE(walk.walker.record().findings.none()) << legs;
+  }
+}
+
+}  // namespace
+}  // namespace hexagait::footstep_gen
