@@ -65,6 +65,7 @@ inline void round_walk(RobotParams& p) {
   p.tolerance.in_a_row = 0.001;
   p.tolerance.turn_arm = 0.5;
   p.tolerance.level_time = 4.0;
+  p.tolerance.tilt_time = 5.0;
 }
 
 inline void round_script(RobotParams& p) {

@@ -6,21 +6,19 @@
 namespace hexagait::footstep_gen {
 namespace {
 
-constexpr double kSlow = 0.2;              // time constant of the slow part [s]
+// Times, in those of a lift, which is as fast as the robot's legs are.
+constexpr double kSlowShare = 1.0;         // time constant of the slow part
+constexpr double kClosedShare = 1.25;      // high above the ground
+constexpr double kStoppedShare = 1.5;      // in all, and no contact since
+constexpr double kNoiseMemoryShare = 2.5;  // of the noise's mean
+
 constexpr double kWindow = 0.07 * 0.07;    // asked of a leg before its answer is judged [rad² s]
 constexpr double kAnswer = 0.25;           // least share of what is asked
 constexpr int kWindows = 4;                // in a row
 constexpr int kWindowsMore = 12;           // the same of a second leg
-constexpr double kSag = 2.5;               // of blocked_error
-constexpr double kHanging = 0.3;           // of a leg that is up [s]
-constexpr double kSagging = 0.04;          // [s]
-constexpr double kClosedHigh = 0.25;       // [s]
 constexpr double kHigh = 0.5;              // of the clearance
-constexpr double kStopped = 0.3;           // in all, and no contact since [s]
-constexpr double kTouch = 0.02;            // without a break: it stands [s]
 constexpr double kStopShare = 0.125;       // of blocked_error
 constexpr double kBelow = 2.0;             // touchdown_margin below where the ground is expected
-constexpr double kNoiseMemory = 0.5;       // [s]
 constexpr double kNoiseShare = 1.0 / 3.0;  // of blocked_error
 constexpr double kNoisier = 3.0;           // than other legs
 
@@ -29,11 +27,15 @@ bool is_up(LegPhase phase) {
   return phase == LegPhase::lift || phase == LegPhase::transfer || phase == LegPhase::retreat;
 }
 
-// Does the ground stop a foot on its way down? Not that it is late.
+// Does the ground stop a foot on its way down? Not that its drive is late, by as much as its lag may be
+// misjudged.
 bool stopped_from_below(LegId leg, const Executor& executor, const RobotState& state) {
-  const double bound = kStopShare * executor.params().swing.blocked_error;
+  const SwingParams& swing = executor.params().swing;
+  const double lag = executor.drive_lag();
+  const double bound = kStopShare * swing.blocked_error + 0.25 * lag * swing.descent_speed;
+  const double late = lag * std::max(0.0, -executor.legs()[leg].v_O.z());
   const Vector3 up_B = state.X_OB.R.row(2);
-  return executor.tracking_error(leg) > bound && up_B.dot(executor.off(leg)) > bound;
+  return executor.tracking_error(leg) > bound && up_B.dot(executor.off(leg)) > bound + late;
 }
 
 // So far below where the ground is expected that the foot had better stand: the loads are evened out
@@ -68,15 +70,10 @@ void LegWatch::watch_answer(LegId leg, const Executor& executor, const LegJoints
     of.q_slow = q;
   }
   const LegJoints asked = target - of.target_slow, answered = q - of.q_slow;
-  of.target_slow += dt / (kSlow + dt) * asked;
-  of.q_slow += dt / (kSlow + dt) * answered;
+  const double slow = kSlowShare * executor.params().swing.lift_time;
+  of.target_slow += dt / (slow + dt) * asked;
+  of.q_slow += dt / (slow + dt) * answered;
   const LegPhase phase = executor.legs()[leg].phase;
-  const double bound = kSag * executor.params().swing.blocked_error;
-  const bool stands = phase == LegPhase::support;
-  const bool sags = (stands || is_up(phase)) && executor.off(leg).norm() > bound;
-  of.sagging = sags ? of.sagging + dt : 0.0;
-  if (of.sagging > (stands ? kSagging : kHanging) && executor.lost().empty())
-    findings_.silent.insert(leg);
   if (!is_up(phase) && !goes_down(phase)) return;
   of.asked += dt * asked.squaredNorm();
   of.answered += dt * asked.dot(answered);
@@ -91,16 +88,17 @@ void LegWatch::watch_contact(LegId leg, const Executor& executor, const RobotSta
                              bool contact, double dt) noexcept {
   Leg& of = legs_[leg];
   const LegLane& lane = executor.legs()[leg];
+  const double lift_time = executor.params().swing.lift_time;
   const double risen = (state.X_OB * state.p_BF[leg]).z() - lane.p_OL.z();
   const bool high = is_up(lane.phase) && risen > kHigh * lane.step.profile_height;
   if (high || !contact) of.closed_high = contact ? of.closed_high + dt : 0.0;
-  if (of.closed_high > kClosedHigh) findings_.stuck_closed.insert(leg);
+  if (of.closed_high > kClosedShare * lift_time) findings_.stuck_closed.insert(leg);
   if (!contact) findings_.stuck_closed.erase(leg);
 
   const bool stopped = goes_down(lane.phase) && stopped_from_below(leg, executor, state);
   of.pressed = stopped ? of.pressed + dt : 0.0;
   of.stopped = contact ? 0.0 : of.stopped + (stopped ? dt : 0.0);
-  if (of.stopped > kStopped) findings_.stuck_open.insert(leg);
+  if (of.stopped > kStoppedShare * lift_time) findings_.stuck_open.insert(leg);
   if (contact) findings_.stuck_open.erase(leg);
 }
 
@@ -110,8 +108,9 @@ void LegWatch::watch_noise(LegId leg, const Executor& executor, const LegJoints&
   const LegJoints error = q - executor.targets().q[leg];
   if (ticks_ >= 2) {
     const LegJoints second = error - 2.0 * of.error_before + of.error_before_that;
+    const double memory = kNoiseMemoryShare * executor.params().swing.lift_time;
     const double square = second.cwiseAbs2().maxCoeff() / 6.0;
-    of.variance += dt / (kNoiseMemory + dt) * (square - of.variance);
+    of.variance += dt / (memory + dt) * (square - of.variance);
   }
   of.error_before_that = of.error_before;
   of.error_before = error;
@@ -146,7 +145,8 @@ Measurement LegWatch::mended(const Measurement& measurement, const Executor& exe
     const LegLane& lane = executor.legs()[i];
     mended.contact[i] =
         lane.on_ground() ||
-        (goes_down(lane.phase) && (legs_[i].pressed >= kTouch || is_below(lane, executor, state)));
+        (goes_down(lane.phase) && (legs_[i].pressed >= executor.params().swing.confirm_time ||
+                                   is_below(lane, executor, state)));
   }
   return mended;
 }

@@ -25,21 +25,20 @@ struct LegFindings {
 
 /// Watches legs. A value; does not allocate.
 ///
-/// **Silent.** While a leg is off the ground, with h the part of a signal that is faster than 0.2 s,
+/// **Silent.** While a leg is off the ground, with h the part of a signal that is faster than a lift,
 /// q* the joint targets and q the readings,
 ///
 ///     ∫ h(q*) · h(q) dt < 1/4 ∫ |h(q*)|² dt      in four windows of (0.07 rad)² s in a row        (watch 1)
 ///
-/// A leg that is blocked still rises, and delays of a servo are far shorter than 0.2 s. Or the foot of a leg
-/// in support is off its set point by 2.5 times blocked_error for 40 ms, or that of a leg that is up for 0.3 s: it does not bear its load,
-/// or its own weight. Of
-/// a second leg twelve windows are asked: with one gone feet are easily pinned.
+/// A leg that is blocked still rises, and delays of a servo are far shorter than a lift. Of a second leg
+/// twelve windows are asked: with one gone feet are easily pinned. (A foot in support that is off its set
+/// point tells sooner, but on rough ground and with slow drives it tells of good legs.)
 ///
-/// **Stuck closed.** The contact of a foot reads closed for 0.25 s without a break while the foot is
+/// **Stuck closed.** The contact of a foot reads closed for 1.25 times the time of a lift without a break while the foot is
 /// measured higher than half of its clearance above where it lifted.
 ///
 /// **Stuck open.** Feet on their way down are stopped from below, beyond the lag of their drives by an
-/// eighth of blocked_error, for 0.3 s in all, and no contact is felt in between. A foot that bears its
+/// eighth of blocked_error, for 1.5 times that of a lift in all, and no contact is felt in between. A foot that bears its
 /// share of the weight is that much above its set point, a foot in the air is not.
 ///
 /// **Noisy.** σ of the readings, by their second differences less those of the targets, times the leg's
@@ -66,7 +65,6 @@ class LegWatch {
     LegJoints target_slow = LegJoints::Zero(), q_slow = LegJoints::Zero();
     double asked = 0.0, answered = 0.0;  ///< of (watch 1), in the present window [rad² s]
     int silent_windows = 0;
-    double sagging = 0.0;      ///< how long the leg has not held its foot [s]
     double closed_high = 0.0;  ///< how long the contact has been closed high up [s]
     double pressed = 0.0;      ///< how long the ground has stopped the foot, without a break [s]
     double stopped = 0.0;      ///< the same in all, and no contact since [s]

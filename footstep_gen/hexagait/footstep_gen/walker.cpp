@@ -14,7 +14,7 @@
 namespace hexagait::footstep_gen {
 namespace {
 
-constexpr double kCatching = 0.5;    // after a leg is lost [s]
+constexpr double kCatching = 2.5;    // times of a lift, after a leg is lost
 constexpr double kMostToCome = 0.5;  // of half a step
 
 void check_stepping(Violations& violations, const gait_state::StepperParams& stepper) {
@@ -100,7 +100,8 @@ void Walker::lose_leg(LegId leg) noexcept {
   if (leg < 0 || leg >= model_->num_legs() || lost_legs().contains(leg)) return;
   executor_.lose(leg);
   record_.lost = lost_legs();
-  catches_until_ = ticks_ + std::lround(kCatching / params_.control_dt);
+  catches_until_ =
+      ticks_ + std::lround(kCatching * params_.executor.swing.lift_time / params_.control_dt);
   recentre();
 }
 

@@ -105,13 +105,16 @@ TEST(PlantSetup, IsThatOfTheWalk) {
   const auto hash = [&](const char* plant, std::uint64_t seed = 1) {
     return hash_of(argos, plant, seed);
   };
-  const std::uint64_t ideal = hash("ideal");
+  const std::uint64_t ideal = hash("ideal"), with_imu = hash("imu:on");
+  EXPECT_NE(with_imu, ideal);
   EXPECT_EQ(ideal, hash("ideal", 2));
   for (const PlantNumber& number : plant_numbers()) {
     if (number.name == std::string("false_contacts")) continue;  // too rare in a second
     const double value = number.of(PlantSetup{}) + 0.01 * (number.greatest - number.least);
-    const std::string text = std::string(number.name) + ":" + std::to_string(value);
-    EXPECT_NE(hash(text.c_str()), ideal) << text;
+    const std::string name = number.name;
+    const bool of_imu = name.starts_with("acceleration_") || name.starts_with("rate_");
+    const std::string text = (of_imu ? "imu:on+" : "") + name + ":" + std::to_string(value);
+    EXPECT_NE(hash(text.c_str()), of_imu ? with_imu : ideal) << text;
     EXPECT_EQ(hash(text.c_str()), hash(text.c_str())) << text;
   }
   EXPECT_NE(hash("servo:position_only"), ideal);

@@ -15,6 +15,13 @@ Ladder ladder(const std::string& fault, const std::vector<std::string>& sizes) {
   return result;
 }
 
+// Of a fault of the inertial measurement unit, for a robot that has one.
+Ladder imu_ladder(const std::string& fault, const std::vector<std::string>& sizes) {
+  Ladder result = ladder(fault, sizes);
+  for (std::string& plant : result.plants) plant = "imu:on+" + plant;
+  return result;
+}
+
 }  // namespace
 
 std::vector<Ladder> ladders(bool short_form) {
@@ -34,6 +41,11 @@ std::vector<Ladder> ladders(bool short_form) {
           ladder("contact_bounce", {"4ms", "10ms", "20ms"}),
           ladder("false_contacts", {"0.01%", "0.1%", "1%"}),
           ladder("missed_contacts", {"0.1%", "1%", "10%"}),
+          {"imu", {"imu:on"}},
+          imu_ladder("acceleration_noise", {"0.05m/s2", "0.5m/s2"}),
+          imu_ladder("acceleration_bias", {"0.1m/s2", "0.5m/s2"}),
+          imu_ladder("rate_noise", {"0.005", "0.05"}),
+          imu_ladder("rate_bias", {"0.01", "0.05"}),
           ladder("sensing_delay", {"4ms", "10ms", "20ms"}),
           ladder("command_delay", {"4ms", "10ms", "20ms"}),
           ladder("late_ticks", {"0.1%", "1%", "5%"})};
