@@ -32,6 +32,7 @@ struct Ring {
   int legs = 0;  ///< of the robot, lost ones too: even, 4 to 12
   LegSet lost;
 
+  // NOLINTNEXTLINE(google-explicit-constructor): see above
   constexpr Ring(int all = 0, LegSet gone = {}) noexcept : legs(all), lost(gone) {}
 
   /// Number n of its positions.

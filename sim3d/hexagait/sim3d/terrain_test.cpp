@@ -172,7 +172,7 @@ TEST(Terrain, OfACliffGoesDownBeyondTheEdgesOfASquare) {
 
 // 4 m are 14 cells, of which the outermost ring is at 1.8 to 2.1 m: every way out is barred.
 TEST(Terrain, OfAnArenaIsBetweenWallsAndCliffs) {
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const Terrain terrain(parse_terrain("arena:4m,0"), seed);
     int walls = 0, cliffs = 0;
     for (double t = -1.95; t < 2.0; t += 0.3)
