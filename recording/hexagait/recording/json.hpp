@@ -20,9 +20,9 @@ struct WalkReport {
   std::string robot;  ///< its name
   Simulation simulation;
   walk::Summary summary;
-  std::string hindrance = {};  ///< why it is stuck, in words; empty if it is not
+  std::string hindrance = {};           ///< why it is stuck, in words; empty if it is not
   std::vector<std::string> found = {};  ///< by the controller, about its legs and sensors
-  bool interrupted = false;    ///< stopped by the user
+  bool interrupted = false;             ///< stopped by the user
   std::optional<SideView> side_view =
       {};  ///< of Genghis: its terrain, not the simulation's, counts
 };

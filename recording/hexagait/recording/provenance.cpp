@@ -79,7 +79,7 @@ Parameters parameters(const VirtualModelParams& params) {
 
 Parameters parameters(const footstep_gen::WalkerParams& params) {
   const auto& [control_dt, sensors, gait, stepper, step, executor, tolerance, late_limit,
-              finds_faults] = params;
+               finds_faults] = params;
   const auto& [swing, base, gravity, controller, virtual_model] = executor;
   RobotParams robot;
   robot.step = step;
