@@ -23,9 +23,6 @@ constexpr double kNoiseShare = 1.0 / 3.0;  // of blocked_error
 constexpr double kNoisier = 3.0;           // than other legs
 
 bool goes_down(LegPhase phase) { return phase == LegPhase::descend || phase == LegPhase::search; }
-bool is_up(LegPhase phase) {
-  return phase == LegPhase::lift || phase == LegPhase::transfer || phase == LegPhase::retreat;
-}
 
 // Does the ground stop a foot on its way down? Not that its drive is late, by as much as its lag may be
 // misjudged.

@@ -87,6 +87,13 @@ LiftGateDecision LiftGate::update(const LiftGateInput& in) noexcept {
   return decision;
 }
 
+LegId hindmost(LegSet legs, const LegArray<double>& lag) noexcept {
+  LegId most = -1;
+  for (LegId i = 0; i < lag.size(); ++i)
+    if (legs.contains(i) && (most < 0 || lag[i] > lag[most])) most = i;
+  return most;
+}
+
 LegSet steady_lifts(const LegArray<Vector3>& feet, const Vector2& p_M, LegSet support, LegSet legs,
                     const LegArray<double>& lag, double margin) noexcept {
   const auto stands = [&](LegSet lifted) {
@@ -96,9 +103,7 @@ LegSet steady_lifts(const LegArray<Vector3>& feet, const Vector2& p_M, LegSet su
   if (stands(legs)) return legs;
   LegSet some;
   while (!legs.empty()) {
-    LegId next = -1;
-    for (LegId i = 0; i < feet.size(); ++i)
-      if (legs.contains(i) && (next < 0 || lag[i] > lag[next])) next = i;
+    const LegId next = hindmost(legs, lag);
     legs.erase(next);
     some.insert(next);
     if (!stands(some)) some.erase(next);

@@ -45,6 +45,9 @@ struct LiftGate {
   LiftGateDecision update(const LiftGateInput& in) noexcept;
 };
 
+/// Of these legs the one with the greatest lag; −1 if there is none.
+[[nodiscard]] LegId hindmost(LegSet legs, const LegArray<double>& lag) noexcept;
+
 /// Of legs that the gait state lets lift, those that leave the centre of mass over three feet or more:
 /// all together, else as many as do, the one with the greatest lag first.
 /// @param feet, p_M  as in LiftGateInput

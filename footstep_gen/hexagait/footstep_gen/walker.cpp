@@ -144,19 +144,17 @@ const TickRecord& Walker::step(PlantStatus status, const Measurement& measuremen
 void Walker::start(const Measurement& measurement) {
   StateEstimator estimator(*model_, params_.sensors, params_.tolerance);
   const RobotState state = estimator.start(measurement);  // may throw, so before anything changes
-  const Stance stance = executor_.stance(), of_all = stance_of_all_;
-  const LegSet lost = lost_legs();
+  const Stance of_all = stance_of_all_;
+  const Executor executor = executor_;  // its reset() keeps the stance and the lost legs
   *this = Walker(*model_, params_);
   stance_of_all_ = of_all;
-  executor_.set_stance(stance);
-  record_.lost = lost;
+  executor_ = executor;
+  record_.lost = lost_legs();
   watch_ = {};
   record_.fault = Fault::none;
   estimator_ = estimator;
   record_.measurement = measurement;
   record_.state = state;
-  for (LegId i = 0; i < model_->num_legs(); ++i)
-    if (lost.contains(i)) executor_.lose(i);
   executor_.reset(state);
   record_.targets = executor_.targets();
   record_.legs = executor_.legs();
@@ -339,11 +337,7 @@ void Walker::command() noexcept {
 // wait for balance where all stand and nothing else moves the body.
 Vector2 Walker::way_for_waiting() const noexcept {
   constexpr double kBeyond = 2.0;  // of the margin that it waits for: the last of the way is slow
-  LegId next = -1;
-  for (LegId i = 0; i < model_->num_legs(); ++i)
-    if (record_.waits.contains(i) &&
-        (next < 0 || record_.gait_input.lag[i] > record_.gait_input.lag[next]))
-      next = i;
+  const LegId next = hindmost(record_.waits, record_.gait_input.lag);
   const Matrix3& R_OB = record_.state.X_OB.R;
   const auto [feet, p_M] = stance_from_above(executor_, R_OB);
   const LegSet rest = without(executor_.support(), LegSet(1U << next));

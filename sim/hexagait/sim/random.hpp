@@ -44,4 +44,15 @@ struct RandomSequence {
   }
 };
 
+/// A bell-shaped number of mean 0, never beyond 3.5 standard deviations: the sum of four uniform
+/// numbers, less its mean, has the variance 4/12.
+/// @param u01  draws the k-th of them, in [0, 1)
+template <class U01>
+[[nodiscard]] double bell(double deviation, const U01& u01) {
+  constexpr double kSqrt3 = 1.7320508075688772;
+  double sum = -2.0;
+  for (int k = 0; k < 4; ++k) sum += u01(k);
+  return deviation * kSqrt3 * sum;
+}
+
 }  // namespace hexagait

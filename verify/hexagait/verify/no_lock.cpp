@@ -14,14 +14,6 @@ namespace {
 constexpr int kLegs = 6;
 constexpr double kTolerance = 1e-3;  // less than any difference of lags
 
-/// All gait states, including cyclic ones: raw relations may be cyclic, since hysteresis is not
-/// transitive.
-std::vector<GaitState> all_relations() {
-  std::vector<GaitState> relations;
-  for (RingBits bits = 0; bits <= ring_mask(kLegs); ++bits) relations.push_back({bits, kLegs});
-  return relations;
-}
-
 /// Sets of legs without neighbours: those that may be in the air by rule 1.
 std::vector<LegSet> flights() {
   std::vector<LegSet> sets;
@@ -62,7 +54,7 @@ Theorem no_lock(const Rules& rules, const Scope&) {
   theorem.table.columns = {"varied", "cases", "gave_way_to_fresh"};
 
   const std::vector<bool> is_lively = lively(rules);
-  const std::vector<GaitState> states = non_cyclic_states(kLegs), any = all_relations();
+  const std::vector<GaitState> states = non_cyclic_states(kLegs), any = all_relations(kLegs);
   std::int64_t cases = 0, cyclic = 0;
   const auto check = [&](const LatchStep& step) {
     if (!theorem.holds()) return;
@@ -103,7 +95,7 @@ Theorem rule_1(const Rules& rules, const Scope&) {
       "the "
       "ground by itself is a fault, not a step.";
 
-  const std::vector<GaitState> states = non_cyclic_states(kLegs), any = all_relations();
+  const std::vector<GaitState> states = non_cyclic_states(kLegs), any = all_relations(kLegs);
   const std::vector<LegSet> sets = flights();
   const auto check = [&](GaitLatch latch, const GaitInput& input, const GaitState& order) {
     if (!theorem.holds()) return;

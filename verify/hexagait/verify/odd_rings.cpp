@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <hexagait/verify/detail/settle.hpp>
-#include <hexagait/verify/detail/situations.hpp>
+#include <hexagait/verify/detail/final_cycles.hpp>
 #include <hexagait/verify/detail/theorems.hpp>
 
 /// Rings that have closed over a lost leg: what the theorems of whole rings say, for odd n.
@@ -17,16 +16,6 @@ constexpr double kTolerance = 1e-3;  // ε [m]
 
 /// The ring of a robot of n + 1 legs whose last leg is lost, so that legs are 0 … n − 1.
 Ring odd_ring(int n) { return {n + 1, LegSet(1U << n)}; }
-
-/// All relations of a ring, from `first` to `last` by their bits.
-std::vector<GaitState> relations(const Ring& ring, RingBits first, RingBits last) {
-  std::vector<GaitState> all;
-  for (RingBits bits = first; bits <= last; ++bits) all.push_back({bits, ring.size(), ring.lost});
-  return all;
-}
-std::vector<GaitState> states_of(const Ring& ring) {
-  return relations(ring, 1, ring_mask(ring.size()) - 1U);
-}
 
 bool is_balanced(const GaitState& state) {
   return std::min(state.ccn(), state.n - state.ccn()) == state.n / 2;
@@ -63,7 +52,7 @@ void check_ties(Theorem& theorem, int n) {
 }
 
 void check_balance(Theorem& theorem, int n) {
-  const std::vector<GaitState> states = states_of(odd_ring(n));
+  const std::vector<GaitState> states = non_cyclic_states(odd_ring(n));
   for (const GaitState& state : states) {
     const GaitState result = balanced(state);
     theorem.check(is_balanced(result) && priority_legs(result) == priority_legs(state), [&] {
@@ -77,7 +66,7 @@ void check_balance(Theorem& theorem, int n) {
 // Any stored and raw relations, for a ring of five.
 void check_combine(Theorem& theorem, const Rules& rules) {
   const Ring ring = odd_ring(5);
-  const std::vector<GaitState> states = states_of(ring), any = relations(ring, 0, ring_mask(5));
+  const std::vector<GaitState> states = non_cyclic_states(ring), any = all_relations(ring);
   std::int64_t cases = 0;
   for (const GaitState& stored : states)
     for (const GaitState& before : any)
@@ -143,8 +132,7 @@ bool flies_beside_another(LegSet airborne, LegId lost, int n) {
 void check_rule_1(Theorem& theorem, const Rules& rules, LegId lost) {
   constexpr int kLegs = 6;
   const Ring ring(kLegs, LegSet(1U << lost));
-  const std::vector<GaitState> states = states_of(ring),
-                               any = relations(ring, 0, ring_mask(ring.size()));
+  const std::vector<GaitState> states = non_cyclic_states(ring), any = all_relations(ring);
   std::int64_t cases = 0;
   const auto check = [&](GaitLatch latch, const GaitInput& input) {
     if (!theorem.holds()) return;
@@ -191,50 +179,27 @@ Theorem odd_rule_1(const Rules& rules, const Scope&) {
 
 namespace {
 
-struct OddCycles {
-  std::int64_t starts = 0;
-  std::size_t longest = 0;  // [slices]
-};
-
-// All situations of states with the greatest throughput, for one T.
-OddCycles explore(Theorem& theorem, const Rules& rules, int n, int step_time) {
-  std::vector<GaitState> states = states_of(odd_ring(n));
+std::vector<GaitState> balanced_states_of(const Ring& ring) {
+  std::vector<GaitState> states = non_cyclic_states(ring);
   std::erase_if(states, [](const GaitState& state) { return !is_balanced(state); });
-  const Situations situations(states, step_time, Scene::reachable);
-  const Slices slices(rules, odd_ring(n), step_time, Adjustment::latched);
-  std::vector<std::int16_t> memo(situations.size(), 0);
-  OddCycles cycles;
-  const auto words = [&](const Situation& s) {
-    return fmt::format("{} with T = {}", to_string(s), step_time);
-  };
-  const auto next = [&](const Situation& before) {
-    const Slice slice = slices.advance(before);
-    const bool good =
-        theorem.check(is_step(slice) && keeps_rule_1(slice), [&] { return words(before); });
-    return good ? slice.next : before;
-  };
-  const auto inspect = [&](std::span<const Situation> cycle) {
-    std::size_t in_the_air = 0;
-    std::array<std::size_t, kMaxLegs> of{};
-    for (const Situation& s : cycle)
-      for (LegId leg = 0; leg < n; ++leg)
-        if (airborne(s).contains(leg)) ++in_the_air, ++of[static_cast<std::size_t>(leg)];
-    bool even = true;
-    for (LegId leg = 1; leg < n; ++leg) even = even && of[static_cast<std::size_t>(leg)] == of[0];
-    const auto m = static_cast<std::size_t>(n / 2);
-    theorem.check(in_the_air == m * cycle.size() && even, [&] {
-      return fmt::format("{} legs in the air over {} slices, from {}", in_the_air, cycle.size(),
-                         words(cycle.front()));
-    });
-    cycles.longest = std::max(cycles.longest, cycle.size());
-  };
-  situations.for_each_start([&](const Situation& start) {
-    if (!theorem.holds()) return;
-    settle(
-        start, memo, [&](const Situation& s) { return situations.key(s); }, next, inspect);
-    ++cycles.starts;
+  return states;
+}
+
+// (n − 1)/2 legs are in the air on average over the cycle, and each leg as often.
+void check_cycle(Theorem& theorem, std::span<const Situation> cycle, int step_time) {
+  const int n = cycle.front().state.n;
+  std::size_t in_the_air = 0;
+  std::array<std::size_t, kMaxLegs> of{};
+  for (const Situation& s : cycle)
+    for (LegId leg = 0; leg < n; ++leg)
+      if (airborne(s).contains(leg)) ++in_the_air, ++of[static_cast<std::size_t>(leg)];
+  bool even = true;
+  for (LegId leg = 1; leg < n; ++leg) even = even && of[static_cast<std::size_t>(leg)] == of[0];
+  const auto m = static_cast<std::size_t>(n / 2);
+  theorem.check(in_the_air == m * cycle.size() && even, [&] {
+    return fmt::format("{} legs in the air over {} slices, from {}", in_the_air, cycle.size(),
+                       words_of(cycle.front(), step_time));
   });
-  return cycles;
 }
 
 }  // namespace
@@ -251,14 +216,16 @@ Theorem odd_throughput(const Rules& rules, const Scope& scope) {
   theorem.table.columns = {"legs", "T_up_to", "situations", "in_the_air", "longest_cycle"};
   for (const int n : scope.odd_legs) {
     const int longest = n > 7 ? std::min(scope.step_time, 2) : scope.step_time;
-    OddCycles all;
-    for (int t = 1; t <= longest; ++t) {
-      const OddCycles cycles = explore(theorem, rules, n, t);
-      all.starts += cycles.starts;
-      all.longest = std::max(all.longest, cycles.longest);
-    }
-    theorem.cases += all.starts;
-    theorem.table.add(n, longest, all.starts, n / 2, static_cast<std::int64_t>(all.longest));
+    const std::vector<GaitState> states = balanced_states_of(odd_ring(n));
+    std::int64_t starts = 0, longest_cycle = 0;
+    for (int t = 1; t <= longest; ++t)
+      starts += final_cycles(
+          theorem, rules, states, t, Adjustment::latched, [&](std::span<const Situation> cycle) {
+            check_cycle(theorem, cycle, t);
+            longest_cycle = std::max(longest_cycle, static_cast<std::int64_t>(cycle.size()));
+          });
+    theorem.cases += starts;
+    theorem.table.add(n, longest, starts, n / 2, longest_cycle);
   }
   return theorem;
 }

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <hexagait/verify/detail/settle.hpp>
-#include <hexagait/verify/detail/situations.hpp>
+#include <hexagait/verify/detail/final_cycles.hpp>
 #include <hexagait/verify/detail/theorems.hpp>
 
 namespace hexagait::verify {
@@ -12,52 +11,26 @@ using namespace gait_state;
 
 namespace {
 
-/// Final cycles of the gait without adjustment, from all states with one CCN, for one T.
-struct Cycles {
-  std::int64_t starts = 0;
-  std::size_t shortest = SIZE_MAX, longest = 0;  // [slices]
-};
-
-Cycles explore(Theorem& theorem, const Rules& rules, int n, int ccn, int step_time) {
+std::vector<GaitState> states_with(int n, int ccn) {
   std::vector<GaitState> states = non_cyclic_states(n);
   std::erase_if(states, [ccn](const GaitState& state) { return state.ccn() != ccn; });
-  const Situations situations(states, step_time, Scene::reachable);
-  const Slices slices(rules, n, step_time, Adjustment::none);
-  std::vector<std::int16_t> memo(situations.size(), 0);
-  Cycles cycles;
+  return states;
+}
 
-  const auto words = [&](const Situation& s) {
-    return fmt::format("{} with T = {}", to_string(s), step_time);
-  };
-  const auto next = [&](const Situation& before) {
-    const Slice slice = slices.advance(before);
-    const bool good =
-        theorem.check(is_step(slice) && keeps_rule_1(slice), [&] { return words(before); });
-    return good ? slice.next : before;
-  };
-  const auto inspect = [&](std::span<const Situation> cycle) {
-    std::size_t in_the_air = 0;
-    bool tripod = false;
-    for (const Situation& s : cycle) {
-      const LegSet air = airborne(s);
-      in_the_air += static_cast<std::size_t>(air.size());
-      tripod = tripod || air == first_tripod(n) || air == second_tripod(n);
-    }
-    const auto m = static_cast<std::size_t>(std::min(ccn, n - ccn));
-    theorem.check(in_the_air == m * cycle.size() && tripod == (2 * ccn == n), [&] {
-      return fmt::format("{} legs in the air over {} slices, from {}", in_the_air, cycle.size(),
-                         words(cycle.front()));
-    });
-    cycles.shortest = std::min(cycles.shortest, cycle.size());
-    cycles.longest = std::max(cycles.longest, cycle.size());
-  };
-  situations.for_each_start([&](const Situation& start) {
-    if (!theorem.holds()) return;
-    settle(
-        start, memo, [&](const Situation& s) { return situations.key(s); }, next, inspect);
-    ++cycles.starts;
+void check_cycle(Theorem& theorem, std::span<const Situation> cycle, int ccn, int step_time) {
+  const int n = cycle.front().state.n;
+  std::size_t in_the_air = 0;
+  bool tripod = false;
+  for (const Situation& s : cycle) {
+    const LegSet air = airborne(s);
+    in_the_air += static_cast<std::size_t>(air.size());
+    tripod = tripod || air == first_tripod(n) || air == second_tripod(n);
+  }
+  const auto m = static_cast<std::size_t>(std::min(ccn, n - ccn));
+  theorem.check(in_the_air == m * cycle.size() && tripod == (2 * ccn == n), [&] {
+    return fmt::format("{} legs in the air over {} slices, from {}", in_the_air, cycle.size(),
+                       words_of(cycle.front(), step_time));
   });
-  return cycles;
 }
 
 }  // namespace
@@ -75,14 +48,21 @@ Theorem throughput(const Rules& rules, const Scope& scope) {
   for (const int n : scope.legs) {
     const int longest = n > 8 ? std::min(scope.step_time, 2) : scope.step_time;
     for (int ccn = 1; ccn < n; ++ccn) {
+      const std::vector<GaitState> states = states_with(n, ccn);
       std::int64_t starts = 0;
-      Cycles cycles;
+      std::size_t shortest_cycle = 0, longest_cycle = 0;  // of the last T [slices]
       for (int t = 1; t <= longest; ++t) {
-        cycles = explore(theorem, rules, n, ccn, t);
-        starts += cycles.starts;
+        shortest_cycle = SIZE_MAX;
+        longest_cycle = 0;
+        starts += final_cycles(theorem, rules, states, t, Adjustment::none,
+                               [&](std::span<const Situation> cycle) {
+                                 check_cycle(theorem, cycle, ccn, t);
+                                 shortest_cycle = std::min(shortest_cycle, cycle.size());
+                                 longest_cycle = std::max(longest_cycle, cycle.size());
+                               });
       }
       theorem.cases += starts;
-      const std::string slices = fmt::format("{} … {}", cycles.shortest, cycles.longest);
+      const std::string slices = fmt::format("{} … {}", shortest_cycle, longest_cycle);
       theorem.table.add(n, ccn, longest, starts, std::min(ccn, n - ccn), slices);
     }
   }

@@ -9,7 +9,6 @@
 namespace hexagait::walk {
 namespace {
 
-constexpr double kSqrt3 = 1.7320508075688772;
 constexpr double kRounding = 1e-9;  // of a number of control periods
 
 const PlantFaults& checked(const PlantFaults& faults, double control_dt) {
@@ -158,11 +157,9 @@ Measurement FaultyPlant::delayed(double time) const {
   return measurement;
 }
 
-// Of standard deviation 1. The sum of four uniform numbers, less its mean, has the variance 4/12.
+// Of standard deviation 1.
 double FaultyPlant::noise(Draw what, LegId leg, int joint) const {
-  double sum = -2.0;
-  for (int i = 0; i < 4; ++i) sum += draw(what, leg, joint, i);
-  return kSqrt3 * sum;
+  return bell(1.0, [&](int k) { return draw(what, leg, joint, k); });
 }
 
 void FaultyPlant::misread(InertialMeasurement& imu) const {

@@ -10,7 +10,6 @@ namespace {
 
 using Kind = PartFaultKind;
 
-constexpr double kSqrt3 = 1.7320508075688772;
 constexpr double kPushTime = 0.1;  // [s]
 
 // Streams of PlantFaults are lower numbers.
@@ -92,13 +91,10 @@ void PartFaultPlant::misread(std::size_t index, Measurement& measurement) {
     case Kind::contact_noise:
       if (draw(index, 0) < fault.value) contact = !contact;
       break;
-    case Kind::noise: {
-      // The sum of four uniform numbers, less its mean, has the variance 4/12.
-      double sum = -2.0;
-      for (std::uint32_t k = 0; k < 4; ++k) sum += draw(index, k);
-      measurement.q[fault.leg][fault.joint] += fault.value * kSqrt3 * sum;
+    case Kind::noise:
+      measurement.q[fault.leg][fault.joint] +=
+          bell(fault.value, [&](int k) { return draw(index, static_cast<std::uint32_t>(k)); });
       break;
-    }
     case Kind::bias:
       measurement.q[fault.leg][fault.joint] += fault.value;
       break;

@@ -38,9 +38,7 @@ void Executor::lose(LegId leg) noexcept {
 
 void Executor::put_down() noexcept {
   for (LegLane& lane : legs_) {
-    const bool up = lane.phase == LegPhase::lift || lane.phase == LegPhase::transfer ||
-                    lane.phase == LegPhase::retreat;
-    if (!up) continue;
+    if (!is_up(lane.phase)) continue;
     lane.phase = LegPhase::descend;
     lane.time = lane.reach_fraction = 0.0;
     lane.cleared = true;

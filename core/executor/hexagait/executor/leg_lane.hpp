@@ -24,6 +24,11 @@ enum class LegPhase : std::uint8_t {
 
 [[nodiscard]] const char* to_string(LegPhase phase) noexcept;
 
+/// In a step, off the ground, and not on its way down yet.
+[[nodiscard]] constexpr bool is_up(LegPhase phase) noexcept {
+  return phase == LegPhase::lift || phase == LegPhase::transfer || phase == LegPhase::retreat;
+}
+
 /// One leg's lane of the executor: its phase and its set point. A value.
 struct LegLane {
   LegPhase phase = LegPhase::support;

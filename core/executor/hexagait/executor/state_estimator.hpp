@@ -38,12 +38,12 @@ class StateEstimator {
               double dt) noexcept;
 
  private:
-  const RobotModel* model_;
-  SensorMask sensors_;
   [[nodiscard]] bool has_imu(const Measurement& measurement) const {
     return sensors_.imu && measurement.imu.has_value();
   }
 
+  const RobotModel* model_;
+  SensorMask sensors_;
   Odometry odometry_;
   TiltFilter tilt_;
   double since_imu_ = 0.0;  ///< time since its last measurement [s]

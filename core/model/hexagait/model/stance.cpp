@@ -35,15 +35,6 @@ Vector3 requested_foot(const RobotModel& robot, const LegModel& leg, const Stanc
   return leg.X_BH * (p_HC + Vector3(out.x(), out.y(), 0.0));
 }
 
-// The leg with its foot there; false if it can't.
-bool stands_at(LegModel& leg, const Vector3& p_BC) {
-  const LegSolution solution = inverse_kinematics(leg, p_BC);
-  if (!solution.reachable) return false;
-  leg.p_BC = p_BC;
-  if (leg.kind == LegKind::serial) leg.q_nominal = solution.q;
-  return true;
-}
-
 bool has_disc(double radius) { return std::isfinite(radius) && radius > 0.0; }
 
 }  // namespace
@@ -70,10 +61,9 @@ Stance stance_at(const RobotModel& robot, const StanceRequest& request) {
       continue;
     }
     const Vector3 p_BC = requested_foot(robot, leg, request);
-    if (stands_at(leg, p_BC)) stance.radius[i] = reachable_radius(leg);
-    if (leg.p_BC == p_BC && has_disc(stance.radius[i]))
-      stance.p_BC[i] = p_BC;
-    else
+    stance.p_BC[i] = p_BC;
+    stance.radius[i] = put_foot(leg, p_BC) ? reachable_radius(leg) : 0.0;
+    if (!has_disc(stance.radius[i]))
       violations.add("leg " + leg.name, "can't stand and step with " + place_in_words(leg, p_BC) +
                                             "; it stands " +
                                             in_words(robot.foot_radius - robot.legs[i].p_BC.z()) +
@@ -86,7 +76,7 @@ Stance stance_at(const RobotModel& robot, const StanceRequest& request) {
 RobotModel in_stance(RobotModel robot, const Stance& stance) {
   check_stance(robot, stance);
   for (LegId i = 0; i < robot.num_legs(); ++i) {
-    stands_at(robot.legs[i], stance.p_BC[i]);
+    static_cast<void>(put_foot(robot.legs[i], stance.p_BC[i]));
     robot.legs[i].workspace_radius = stance.radius[i];
   }
   weigh(robot);
@@ -104,10 +94,18 @@ void check_stance(const RobotModel& robot, const Stance& stance) {
     if (!has_disc(stance.radius[i]))
       violations.add("leg " + leg.name, "has a disc of radius " + in_words(stance.radius[i]) +
                                             " m; need a positive number");
-    if (!stance.p_BC[i].allFinite() || !stands_at(leg, stance.p_BC[i]))
+    if (!stance.p_BC[i].allFinite() || !put_foot(leg, stance.p_BC[i]))
       violations.add("leg " + leg.name, "can't stand with " + place_in_words(leg, stance.p_BC[i]));
   }
   violations.throw_if_any();
+}
+
+bool put_foot(LegModel& leg, const Vector3& p_BC) {
+  const LegSolution solution = inverse_kinematics(leg, p_BC);
+  if (!solution.reachable) return false;
+  leg.p_BC = p_BC;
+  if (leg.kind == LegKind::serial) leg.q_nominal = solution.q;
+  return true;
 }
 
 void weigh(RobotModel& robot) {

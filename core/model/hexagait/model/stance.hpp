@@ -37,6 +37,10 @@ struct StanceRequest {
 /// Throws what in_stance() would, and changes nothing.
 void check_stance(const RobotModel& robot, const Stance& stance);
 
+/// Puts the workspace centre of a leg there; false, and nothing changes, if its foot can't be there. The
+/// disc is that of the old place.
+[[nodiscard]] bool put_foot(LegModel& leg, const Vector3& p_BC);
+
 /// Sets centre of mass and inertia to those of the nominal stance.
 /// @pre mass and nominal stance of the robot are set
 void weigh(RobotModel& robot);

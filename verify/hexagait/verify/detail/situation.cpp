@@ -77,9 +77,16 @@ std::string to_string(const Situation& situation) {
   return text;
 }
 
-std::vector<GaitState> non_cyclic_states(int n) {
-  std::vector<GaitState> states;
-  for (RingBits bits = 1; bits < ring_mask(n); ++bits) states.push_back({bits, n});
+std::vector<GaitState> all_relations(const Ring& ring) {
+  const int n = ring.size();
+  std::vector<GaitState> relations;
+  for (RingBits bits = 0; bits <= ring_mask(n); ++bits) relations.push_back({bits, n, ring.lost});
+  return relations;
+}
+
+std::vector<GaitState> non_cyclic_states(const Ring& ring) {
+  std::vector<GaitState> states = all_relations(ring);
+  std::erase_if(states, [](const GaitState& state) { return state.is_cyclic(); });
   return states;
 }
 
@@ -111,10 +118,7 @@ Slices::Slices(const Rules& rules, const Ring& ring, int step_time, Adjustment a
       step_time_(step_time),
       lags_(std::size_t{1} << n_) {
   params_.adjustment = adjustment;
-  for (GaitState state : non_cyclic_states(n_)) {
-    state.lost = lost_;
-    lags_[state.bits] = lags_of(state);
-  }
+  for (const GaitState& state : non_cyclic_states(ring)) lags_[state.bits] = lags_of(state);
 }
 
 GaitLatch Slices::latch_in(const Situation& situation) const {

@@ -33,10 +33,13 @@ struct Situation {
 /// For example "<><><>, leg 2 in the air for 3 slices".
 [[nodiscard]] std::string to_string(const Situation& situation);
 
-/// All states of n legs that are not cyclic, ordered by their bits.
-[[nodiscard]] std::vector<GaitState> non_cyclic_states(int n);
+/// All relations of a ring, cyclic ones too, ordered by their bits.
+[[nodiscard]] std::vector<GaitState> all_relations(const gait_state::Ring& ring);
 
-/// Those with CCN = n/2.
+/// Those that are not cyclic.
+[[nodiscard]] std::vector<GaitState> non_cyclic_states(const gait_state::Ring& ring);
+
+/// Those of n legs with CCN = n/2.
 [[nodiscard]] std::vector<GaitState> balanced_states(int n);
 
 /// Lags [m] from which the state follows, with differences much larger than a tie: for each leg,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/model/serial_stance.hpp>
+#include <hexagait/model/stance.hpp>
 #include <hexagait/model/workspace.hpp>
 #include <hexagait/urdf/detail/leg_stance.hpp>
 #include <hexagait/urdf/detail/rounded.hpp>
@@ -56,11 +57,7 @@ bool has_room(const LegModel& leg) {
 /// Puts the foot at p_BF if it can stand there.
 bool stand_at(LegModel& leg, const Vector3& p_BF) {
   LegModel there = leg;
-  there.p_BC = p_BF;
-  const LegSolution solution = inverse_kinematics(there, p_BF);
-  if (!solution.reachable) return false;
-  if (leg.kind == LegKind::serial) there.q_nominal = solution.q;
-  if (!has_room(there)) return false;
+  if (!put_foot(there, p_BF) || !has_room(there)) return false;
   there.workspace_radius = reachable_radius(there);
   if (there.workspace_radius < kLeastWorkspace * length_of(leg)) return false;
   leg = there;
