@@ -17,7 +17,7 @@ TEST_F(Cli, RefusesRobotsThatAreNone) {
 }
 
 TEST_F(Cli, RefusesUnknownTerrainsAndNamesTheKnown) {
-  refuses("walk --terrain swamp", {"terrain", "swamp", "flat", "boxes:H", "steps:H"});
+  refuses("walk --terrain swamp", {"terrain", "swamp", "flat", "boxes:H,WIDTH", "steps:H,WIDTH"});
   refuses("walk --terrain bxes:0.1", {"did you mean 'boxes'?"});
   refuses("walk --robot genghis2d --terrain stpe:0.1", {"did you mean 'step'?"});
   refuses("walk --terrain boxes:10deg", {"'10deg' is not a length", "10cm"});

@@ -75,12 +75,16 @@ class Recording {
  private:
   // A square that is level, or small.
   [[nodiscard]] static double drawn_cell(const sim3d::Terrain& terrain) {
-    const auto level = [](const sim3d::TerrainPart& part) {
-      return part.kind == sim3d::TerrainKind::boxes || part.kind == sim3d::TerrainKind::steps ||
-             part.kind == sim3d::TerrainKind::step;
-    };
+    using enum sim3d::TerrainKind;
     constexpr double kSmall = 0.05;
-    return std::ranges::all_of(terrain.spec().parts, level) ? terrain.spec().cell : kSmall;
+    const auto& parts = terrain.spec().parts;
+    const auto edge = [](const sim3d::TerrainPart& part) {
+      if (part.kind == step) return sim3d::kCellEdge;
+      return part.kind == boxes || part.kind == steps ? part.extent : kSmall;
+    };
+    const double first = parts.empty() ? sim3d::kCellEdge : edge(parts[0]);
+    const auto same = [&](const sim3d::TerrainPart& part) { return edge(part) == first; };
+    return std::ranges::all_of(parts, same) ? first : kSmall;
   }
   void watch_steps(double time, const footstep_gen::TickRecord& record, const GroundTruth& truth);
   void watch_gait(double time, const gait_state::GaitDecision& gait);

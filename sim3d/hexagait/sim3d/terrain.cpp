@@ -12,9 +12,10 @@
 namespace hexagait::sim3d {
 namespace {
 
-constexpr double kPad = 0.6;               // half an edge of the start pad [m]
-constexpr double kAbyss = -1.0;            // level of ditches, pits, and between stones [m]
-constexpr double kWall = 1.0;              // level of an arena's walls and pillars [m]
+constexpr double kPadCells = 2.0;               // to each side
+constexpr double kPad = kPadCells * kCellEdge;  // half an edge of the start pad [m]
+constexpr double kAbyss = -1.0;                 // level of ditches, pits, and between stones [m]
+constexpr double kWall = 1.0;                   // level of an arena's walls and pillars [m]
 constexpr int kStretch = 4;                // cells of its border that are all wall or all cliff
 constexpr double kDitchPeriod = 1.5;       // of which the ditch is a part [m]
 constexpr int kFlight = 10, kLanding = 5;  // steps of the stairs
@@ -22,10 +23,10 @@ constexpr double kTwist = 1.0;  // way in which ground that rises sideways becom
 constexpr double kIce = 0.6;    // edge of the squares of ice [m]
 constexpr std::uint32_t kDrawsPerCell = 4;
 
-// Does cell i reach into the start pad?
-bool on_pad(const CellAxis& axis, int i) {
+// Does cell i reach into the start pad, which ends so far from the origin?
+bool on_pad(const CellAxis& axis, int i, double pad = kPad) {
   constexpr double kTie = 1e-6;
-  return axis.edge(i + 1) > -kPad + kTie && axis.edge(i) < kPad - kTie;
+  return axis.edge(i + 1) > -pad + kTie && axis.edge(i) < pad - kTie;
 }
 
 // The first cell ahead of the start pad.
@@ -41,6 +42,12 @@ bool has_cells(TerrainKind kind) {
   using enum TerrainKind;
   return kind == boxes || kind == step || kind == stairs || kind == ditches || kind == stones ||
          kind == cliff || kind == arena;
+}
+
+// Is its extent the edge of its cells?
+bool chooses_cells(TerrainKind kind) {
+  using enum TerrainKind;
+  return kind == boxes || kind == steps || kind == rubble;
 }
 
 bool is_random(TerrainKind kind) {
@@ -99,10 +106,6 @@ int CellAxis::index(double coordinate) const {
 }
 
 Terrain::Terrain(const TerrainSpec& spec, std::uint64_t seed) : spec_(spec), seed_(seed) {
-  if (!(spec.cell > 0.0) || !std::isfinite(spec.cell)) {
-    throw InvalidInput("terrain cell " + std::to_string(spec.cell) +
-                       " m: must be finite and positive");
-  }
   // Its words say which dimensions are wrong.
   static_cast<void>(parse_terrain(to_string(spec)));
 
@@ -114,8 +117,8 @@ Terrain::Terrain(const TerrainSpec& spec, std::uint64_t seed) : spec_(spec), see
     const auto [lowest, highest] = bounds(part);
     lowest_ += lowest;
     highest_ += highest;
+    if (chooses_cells(part.kind)) spacing_ = std::min(spacing_, part.extent / kSamplesPerCell);
   }
-  cells_ = {{spec_.cell, 0.0}, {spec_.cell, 0.0}};
   int high = 0, of_cells = 0;
   for (const Layer& one : layers_) {
     if (one.part.kind == TerrainKind::ice) continue;
@@ -127,8 +130,10 @@ Terrain::Terrain(const TerrainSpec& spec, std::uint64_t seed) : spec_(spec), see
   if (high > 0) surface_ = high == 1 && of_cells == 1 ? Surface::cells : Surface::samples;
 }
 
-Terrain::Layer Terrain::layer(const TerrainPart& part, std::uint32_t draws) const {
-  Layer result{.part = part, .cells = {{spec_.cell, 0.0}, {spec_.cell, 0.0}}, .draws = draws};
+Terrain::Layer Terrain::layer(const TerrainPart& part, std::uint32_t draws) {
+  Layer result{.part = part, .cells = {}, .draws = draws};
+  if (chooses_cells(part.kind))
+    result.cells = {{part.extent, 0.0}, {part.extent, 0.0}, kPadCells * part.extent};
   switch (part.kind) {
     case TerrainKind::stairs:
       result.cells.x = {part.extent, 0.0};
@@ -150,7 +155,7 @@ Terrain::Layer Terrain::layer(const TerrainPart& part, std::uint32_t draws) cons
       break;
     }
     case TerrainKind::ice:
-      result.cells = {{kIce, 0.0}, {kIce, 0.0}};
+      result.cells = {{kIce, 0.0}, {kIce, 0.0}, kPad};
       break;
     default:
       break;
@@ -166,9 +171,9 @@ double Terrain::random(const Layer& layer, std::uint32_t which, int i, int j) co
 
 // Of a part that has one level in each cell.
 double Terrain::level(const Layer& layer, int i, int j) const {
-  const auto& [x, y] = layer.cells;
+  const auto& [x, y, half_pad] = layer.cells;
   const double size = layer.part.size;
-  const bool pad_x = on_pad(x, i), pad = pad_x && on_pad(y, j);
+  const bool pad_x = on_pad(x, i, half_pad), pad = pad_x && on_pad(y, j, half_pad);
   switch (layer.part.kind) {
     case TerrainKind::boxes:
     case TerrainKind::steps:
@@ -213,16 +218,17 @@ double Terrain::arena(const Layer& layer, int i, int j) const {
 
 // Level and tilt are such that no corner is below 0 or above the height.
 double Terrain::rubble(const Layer& layer, double x, double y) const {
-  const int i = layer.cells.x.index(x), j = layer.cells.y.index(y);
-  if (on_pad(layer.cells.x, i) && on_pad(layer.cells.y, j)) return 0.0;
-  const double size = layer.part.size, half = 0.5 * layer.cells.x.even;
+  const auto& [of_x, of_y, pad] = layer.cells;
+  const int i = of_x.index(x), j = of_y.index(y);
+  if (on_pad(of_x, i, pad) && on_pad(of_y, j, pad)) return 0.0;
+  const double size = layer.part.size, half = 0.5 * of_x.even;
   // Rise from the middle to an edge.
   const double rise_x = 0.25 * size * (2.0 * random(layer, 1, i, j) - 1.0);
   const double rise_y = 0.25 * size * (2.0 * random(layer, 2, i, j) - 1.0);
   const double corner = std::abs(rise_x) + std::abs(rise_y);
   const double middle = corner + (size - 2.0 * corner) * random(layer, 0, i, j);
-  return middle + rise_x * ((x - layer.cells.x.edge(i)) / half - 1.0) +
-         rise_y * ((y - layer.cells.y.edge(j)) / half - 1.0);
+  return middle + rise_x * ((x - of_x.edge(i)) / half - 1.0) +
+         rise_y * ((y - of_y.edge(j)) / half - 1.0);
 }
 
 double Terrain::height(const Layer& layer, double x, double y) const {

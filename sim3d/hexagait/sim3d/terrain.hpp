@@ -11,8 +11,8 @@ namespace hexagait::sim3d {
 /// The cells of a terrain along one axis: all of one width, or of two widths in turn. Cell 0 begins
 /// at the origin.
 struct CellAxis {
-  double even = 0.3;  ///< width of cells 0, 2, … [m]
-  double odd = 0.0;   ///< and of the others [m]; 0: there are no others, all cells are even
+  double even = kCellEdge;  ///< width of cells 0, 2, … [m]
+  double odd = 0.0;         ///< and of the others [m]; 0: there are no others, all cells are even
 
   /// Where cell i begins, and cell i − 1 ends [m].
   [[nodiscard]] double edge(int i) const;
@@ -29,15 +29,14 @@ struct CellAxis {
 ///
 /// Cell (i, j) covers [x(i), x(i+1)) × [y(j), y(j+1)) in the world frame. A random level is number
 /// (i, j) of RandomStream::terrain, independent of the order of queries. Cells that reach into the
-/// square within 0.6 m of the origin are the start pad, at level 0. Coordinates may be up to 10⁸
-/// cells.
+/// square within 0.6 m of the origin are the start pad, at level 0; of boxes, steps and rubble the
+/// square ends two of their cells from the origin. Coordinates may be up to 10⁸ cells.
 class Terrain {
  public:
   /// What the ground is made of.
   enum class Surface : std::uint8_t { plane, cells, samples };
 
-  /// @throws InvalidInput  if a dimension is out of the range that parse_terrain() accepts, or the
-  ///         cell not positive
+  /// @throws InvalidInput  if a dimension is out of the range that parse_terrain() accepts
   Terrain(const TerrainSpec& spec, std::uint64_t seed);
 
   [[nodiscard]] const TerrainSpec& spec() const { return spec_; }
@@ -62,7 +61,7 @@ class Terrain {
   [[nodiscard]] double level(int i, int j) const;
 
   /// Spacing of the heightfield's samples [m]; the width of its ramps.
-  [[nodiscard]] double sample_spacing() const { return spec_.cell / kSamplesPerCell; }
+  [[nodiscard]] double sample_spacing() const { return spacing_; }
 
   /// Height of the heightfield's sample (a, b) [m], at ((a + ½) · spacing, (b + ½) · spacing).
   [[nodiscard]] double sample(int a, int b) const;
@@ -73,6 +72,7 @@ class Terrain {
  private:
   struct Cells {
     CellAxis x, y;
+    double pad = 2.0 * kCellEdge;  ///< half an edge of the start pad [m]
   };
   /// One part, and what does not depend on the place.
   struct Layer {
@@ -82,7 +82,7 @@ class Terrain {
     double along = 0.0, across = 0.0;  ///< a slope's rise per metre in x and in y
   };
 
-  [[nodiscard]] Layer layer(const TerrainPart& part, std::uint32_t draws) const;
+  [[nodiscard]] static Layer layer(const TerrainPart& part, std::uint32_t draws);
   [[nodiscard]] double random(const Layer& layer, std::uint32_t which, int i, int j) const;
   [[nodiscard]] double level(const Layer& layer, int i, int j) const;
   [[nodiscard]] double arena(const Layer& layer, int i, int j) const;
@@ -96,6 +96,7 @@ class Terrain {
   Cells cells_;
   std::vector<Layer> layers_;
   double lowest_ = 0.0, highest_ = 0.0;
+  double spacing_ = kCellEdge / kSamplesPerCell;
 };
 
 }  // namespace hexagait::sim3d

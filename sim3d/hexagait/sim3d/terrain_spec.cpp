@@ -27,6 +27,7 @@ struct Measure {
 constexpr Measure kHeight{"the height"};
 constexpr Measure kSignedHeight{"the height", Dimension::length, -kAny, kAny, ""};
 constexpr Measure kLength{"the length", Dimension::length, 0.05, kAny, "0.05 m or more"};
+constexpr Measure kEdge{"the width", Dimension::length, 0.005, kAny, "5 mm or more"};
 constexpr double kSteepest = std::numbers::pi / 3.0;
 
 /// A kind of terrain in words; all there is to read and write it.
@@ -45,16 +46,19 @@ struct KindWords {
 
 constexpr TerrainDescription kFlat = {"flat", "the plane z = 0", "flat"};
 constexpr std::array kKinds = {
-    KindWords{
-        TerrainKind::boxes,
-        {"boxes:H", "0.3 m cells at random levels from 0 to H, with vertical faces between them",
-         "boxes:10cm"},
-        kHeight},
-    KindWords{
-        TerrainKind::steps,
-        {"steps:H", "the same levels as a heightfield: 25 mm wide ramps instead of vertical faces",
-         "steps:10cm"},
-        kHeight},
+    KindWords{TerrainKind::boxes,
+              {"boxes:H,WIDTH", "cells of 0.3 m at random levels from 0 to H, with vertical faces",
+               "boxes:10cm"},
+              kHeight,
+              kEdge,
+              kCellEdge},
+    KindWords{TerrainKind::steps,
+              {"steps:H,WIDTH",
+               "the same levels as a heightfield: 25 mm wide ramps instead of vertical faces",
+               "steps:10cm"},
+              kHeight,
+              kEdge,
+              kCellEdge},
     KindWords{
         TerrainKind::step,
         {"step:H", "one step up to H, or down, 0.6 m ahead of where the robot starts", "step:12cm"},
@@ -97,11 +101,13 @@ constexpr std::array kKinds = {
         kHeight,
         kLength,
         1.0},
-    KindWords{
-        TerrainKind::rubble,
-        {"rubble:H", "0.3 m cells, 0 to H, each tilted at random; 25 mm wide ramps between them",
-         "rubble:10cm"},
-        kHeight},
+    KindWords{TerrainKind::rubble,
+              {"rubble:H,WIDTH",
+               "cells of 0.3 m, 0 to H, each tilted at random; 25 mm wide ramps between them",
+               "rubble:10cm"},
+              kHeight,
+              kEdge,
+              kCellEdge},
     KindWords{TerrainKind::ice,
               {"ice:MU", "squares of 0.6 m, half of which have the friction MU", "ice:0.1"},
               {"the friction", Dimension::number, 0.0, 10.0, "0 to 10"},

@@ -9,7 +9,8 @@
 
 namespace hexagait::sim3d {
 
-/// Kinds of ground. "Ahead" is along +x from the end of the start pad, 0.6 m ahead of the origin.
+/// Kinds of ground. "Ahead" is along +x from the end of the start pad, 0.6 m ahead of the origin; that
+/// of boxes, steps and rubble is two cells wide to each side.
 enum class TerrainKind : std::uint8_t {
   flat,     ///< the plane z = 0
   boxes,    ///< square cells at random levels, with vertical faces between them
@@ -27,6 +28,9 @@ enum class TerrainKind : std::uint8_t {
   arena,    ///< a square around the origin between walls and cliffs, with pits and pillars in it
 };
 
+/// Edge of the cells of boxes, steps and rubble unless told otherwise, and of an arena's cells [m].
+inline constexpr double kCellEdge = 0.3;
+
 /// One kind of ground with its dimensions. Terrains are sums of parts.
 struct TerrainPart {
   TerrainKind kind = TerrainKind::flat;
@@ -34,9 +38,9 @@ struct TerrainPart {
   /// or edge of a stone, a cliff's square or an arena [m]; angle of a slope [rad]; coefficient of
   /// friction of ice.
   double size = 0.0;
-  /// Depth of the stairs' treads, gap between stones, length of a wave or a ramp, depth of a cliff
-  /// [m]; direction in which a slope rises, from +x [rad]; share of an arena's cells that are pits
-  /// or pillars.
+  /// Edge of the cells of boxes, steps and rubble, depth of the stairs' treads, gap between stones,
+  /// length of a wave or a ramp, depth of a cliff [m]; direction in which a slope rises, from +x
+  /// [rad]; share of an arena's cells that are pits or pillars.
   double extent = 0.0;
 
   friend bool operator==(const TerrainPart&, const TerrainPart&) = default;
@@ -45,7 +49,6 @@ struct TerrainPart {
 /// A terrain: the sum of its parts; none is flat ground.
 struct TerrainSpec {
   std::vector<TerrainPart> parts;
-  double cell = 0.3;  ///< edge of the cells of boxes, steps, rubble and arenas [m]
 
   TerrainSpec() = default;
   /// One part, with the default extent of its kind.

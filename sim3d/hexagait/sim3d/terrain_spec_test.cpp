@@ -26,6 +26,8 @@ TEST(ParseTerrain, ReadsTheKindAndTheHeightInAnyUnit) {
 
 TEST(ParseTerrain, ReadsASecondDimensionOrTakesTheUsualOne) {
   const auto only = [](const char* text) { return parse_terrain(text).parts.at(0); };
+  EXPECT_EQ(only("boxes:17cm"), (TerrainPart{Kind::boxes, 0.17, kCellEdge}));
+  EXPECT_EQ(only("rubble:2cm,5cm"), (TerrainPart{Kind::rubble, 0.02, 0.05}));
   EXPECT_EQ(only("stairs:17cm"), (TerrainPart{Kind::stairs, 0.17, 0.29}));
   EXPECT_EQ(only("stairs:17cm,0.35"), (TerrainPart{Kind::stairs, 0.17, 0.35}));
   EXPECT_EQ(only("slope:10deg"), (TerrainPart{Kind::slope, 10.0 * kDegree, 0.0}));
@@ -42,7 +44,7 @@ TEST(ParseTerrain, ReadsSums) {
   const TerrainSpec sum = parse_terrain("slope:0.2+boxes:1e-1+waves:5cm,2");
   EXPECT_EQ(sum.parts,
             (std::vector<TerrainPart>{
-                {Kind::slope, 0.2, 0.0}, {Kind::boxes, 0.1, 0.0}, {Kind::waves, 0.05, 2.0}}));
+                {Kind::slope, 0.2, 0.0}, {Kind::boxes, 0.1, 0.3}, {Kind::waves, 0.05, 2.0}}));
   EXPECT_DOUBLE_EQ(sum.roughness(), 0.15);
   EXPECT_EQ(parse_terrain("boxes:1e+0+steps:+0.5").parts.size(), 2U) << "signs of numbers";
 }
@@ -52,6 +54,7 @@ TEST(ParseTerrain, ReadsBackWhatToStringWrites) {
     for (const Kind kind : {Kind::boxes, Kind::steps, Kind::step, Kind::rubble}) {
       TerrainSpec spec{kind, size};
       EXPECT_EQ(parse_terrain(to_string(spec)), spec);
+      spec.parts.push_back({Kind::boxes, size, 0.05});
       spec.parts.push_back({Kind::stairs, -size, 0.3});
       spec.parts.push_back({Kind::waves, size, 1e9});
       EXPECT_EQ(parse_terrain(to_string(spec)), spec) << to_string(spec);
@@ -74,7 +77,9 @@ TEST(ParseTerrain, RefusesWhatItDoesNotKnowAndSaysWhatWouldBeRight) {
            {"boxes:0.1ft", ""},
            {"boxes:0.1 m", ""},
            {"boxes:0.1:2", ""},
-           {"boxes:0.1,2", "boxes takes one number, the height"},
+           {"boxes:0.1,0", "the width must be 5 mm or more, not 0"},
+           {"boxes:0.1,2,3", ""},
+           {"step:0.1,2", "step takes one number, the height"},
            {"flat:0.1", "unknown kind"},
            {"boxes:1e999", ""},
            {"boxes:0.1+", "unknown kind"},
@@ -97,7 +102,7 @@ TEST(ParseTerrain, RefusesWhatItDoesNotKnowAndSaysWhatWouldBeRight) {
     } catch (const InvalidInput& refusal) {
       EXPECT_THAT(refusal.what(), testing::HasSubstr("\"" + text + "\": "));
       EXPECT_THAT(refusal.what(), testing::HasSubstr(reason));
-      EXPECT_THAT(refusal.what(), testing::HasSubstr("flat boxes:H steps:H step:H"));
+      EXPECT_THAT(refusal.what(), testing::HasSubstr("flat boxes:H,WIDTH steps:H,WIDTH step:H"));
     }
   }
 }
@@ -107,8 +112,8 @@ TEST(Terrain, RefusesWhatCannotBeWritten) {
   EXPECT_THROW(Terrain(TerrainSpec(Kind::boxes, -0.1), 1), InvalidInput);
   EXPECT_THROW(Terrain(TerrainSpec(Kind::boxes, nan), 1), InvalidInput);
   TerrainSpec spec(Kind::boxes, 0.1);
-  for (const double cell : {0.0, nan}) {
-    spec.cell = cell;
+  for (const double cell : {0.0, 0.001, nan}) {
+    spec.parts[0].extent = cell;
     EXPECT_THROW(Terrain(spec, 1), InvalidInput);
   }
 }

@@ -69,6 +69,18 @@ TEST(Terrain, HasLevelsUniformFromZeroToTheHeight) {
   EXPECT_EQ(levels.size(), kCount);  // every cell draws a number of its own
 }
 
+TEST(Terrain, HasCellsOfTheWidthThatIsAskedForAndAPadOfTwo) {
+  for (const char* text : {"boxes:0.2,0.1", "steps:0.2,0.1", "rubble:0.2,0.1"}) {
+    const Terrain terrain(parse_terrain(text), 5), wide(parse_terrain("boxes:0.2"), 5);
+    for (const double x : {-0.19, 0.0, 0.19}) EXPECT_EQ(terrain.height_at(x, -x), 0.0) << text;
+    EXPECT_NE(terrain.height_at(0.25, 0.0), 0.0) << text;
+    EXPECT_NEAR(terrain.sample_spacing(), 0.1 / Terrain::kSamplesPerCell, 1e-15);
+    if (terrain.spec().parts[0].kind == TerrainKind::rubble) continue;
+    for (int k = 7; k < 30; ++k)
+      EXPECT_EQ(terrain.height_at(0.1 * k + 0.05, 0.05), wide.height_at(0.3 * k + 0.15, 0.15));
+  }
+}
+
 TEST(Terrain, BoxesHaveTheLevelOfTheCellAllOverTheCell) {
   const Terrain terrain(TerrainSpec(TerrainKind::boxes, 0.2), 5);
   for (int k = 0; k < 50; ++k) {

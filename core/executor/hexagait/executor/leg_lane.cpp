@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <hexagait/executor/foothold_search.hpp>
 #include <hexagait/executor/leg_lane.hpp>
 #include <hexagait/executor/tick_motion.hpp>
 
@@ -10,6 +11,8 @@ namespace {
 
 // The next foothold that is tried, of the way there.
 constexpr double kCloser = 0.6;
+// Of the search for a foothold, in times that a foot moves back in a retreat.
+constexpr double kSearchWidth = 2.0;
 
 // Has a timer that counts in control periods reached its time?
 bool elapsed(double time, double limit) { return time > limit - kTimeTolerance; }
@@ -28,6 +31,7 @@ void begin_step(LegLane& lane, LegPhase phase, const Pose& X_OB) {
   lane.cleared = false;
   lane.retreats = lane.bounces = 0;
   lane.reach_fraction = 1.0;
+  lane.beside = 0.0;
   lane.transfer_clock = 0.0;
   lane.p_OL = X_OB * lane.p_BF;
 }
@@ -52,8 +56,12 @@ double time_to_go(const LegLane& lane, double distance, const SwingParams& param
 // Horizontal displacement from the foot to the foothold [m].
 Vector2 way_to_go(const LegLane& lane, const Pose& X_OB) {
   const Vector3 p_OF = X_OB * lane.p_BF;
-  const Vector3 target = lane.p_OL + lane.reach_fraction * (lane.step.p_OT - lane.p_OL);
-  return (target - p_OF).head<2>();
+  const Vector3 step = lane.step.p_OT - lane.p_OL;
+  Vector2 target = (lane.p_OL + lane.reach_fraction * step).head<2>();
+  const double length = step.head<2>().norm();
+  if (lane.beside != 0.0 && length > 0.0)
+    target += lane.beside / length * Vector2(-step.y(), step.x());
+  return target - p_OF.head<2>();
 }
 
 // Moves the foot along one axis of odom.
@@ -112,8 +120,8 @@ void land(LegLane& lane, double dt, const SwingParams& params) {
   ramp(lane.load, 1.0, dt, params.load_time);
 }
 
-// Moves back, away from the foothold, and up. The next attempt is higher and, after two, shorter; after
-// the last one the foot goes back to where it stood. The set point lets go of what blocks the foot: it
+// Moves back, away from the foothold, and up. The next attempt is higher and, after two, shorter; then the
+// foot goes back to where it stood, and if it finds no ground there either, it searches. The set point lets go of what blocks the foot: it
 // would push with more than 1 kN and roll the body.
 void retreat(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, const SwingParams& params) {
   enter(lane, LegPhase::retreat);
@@ -127,10 +135,15 @@ void retreat(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, const Swi
   lane.a_O.setZero();
   lane.transfer_clock = 0.0;
   if (++lane.retreats > 2) lane.reach_fraction *= kCloser;
-  if (lane.retreats >= params.max_retreats)
-    lane.reach_fraction = 0.0;
-  else
+  if (lane.retreats < params.max_retreats) {
     lane.apex_z += params.retreat_up;
+  } else if (lane.retreats == params.max_retreats) {
+    lane.reach_fraction = 0.0;
+  } else {
+    const FootholdTry next = searched_foothold(lane.retreats - params.max_retreats - 1);
+    lane.reach_fraction = next.along;
+    lane.beside = next.beside * kSearchWidth * params.retreat_back;
+  }
 }
 
 bool gives_up(const LegLane& lane, const SwingParams& params) {
@@ -225,15 +238,10 @@ Vector3 descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X
   const bool found = sensed.contact && lane.cleared;
   if (found) return land(lane, dt, params), way_O;
   const bool blocked = !sensed.reachable || sensed.tracking_error > params.blocked_error;
-  if (blocked && !gives_up(lane, params)) {
+  // What is in the way is not pushed: the robot would stand on its shin.
+  if (blocked) {
     lane.reach_fraction *= kCloser;
     return retreat(lane, sensed, X_OB, params), way_O;
-  }
-  // Nothing is left to try. What is in the way is not pushed: the robot would stand on its shin.
-  if (blocked) {
-    lane.v_O.setZero();
-    lane.a_O.setZero();
-    return way_O;
   }
 
   // Straight down over the last centimetres, so that the foot does not slide.

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <testing/swing.hpp>
 
 // What a foot does about what is in its way, and about ground that it does not find.
@@ -124,7 +125,7 @@ TEST(Swing, TriesCloserWhereItFindsNoHold) {
 }
 
 // The shin is on an edge: the foot feels nothing, and does not get down. When no try is left, it does not
-// push, or the robot would stand on its shin.
+// push, or the robot would stand on its shin, but tries elsewhere.
 TEST(Swing, DoesNotPushWhatItCantGetPast) {
   Swing swing;
   swing.touches = [](const Vector3& p) { return p == kStart; };
@@ -133,13 +134,43 @@ TEST(Swing, DoesNotPushWhatItCantGetPast) {
   swing.lane.retreats = swing.params.max_retreats;
   swing.blocked = true;
   swing.tick();
-  const Vector3 there = swing.foot();
-  for (int k = 0; k < 500; ++k) swing.tick();
-  EXPECT_EQ(swing.lane.phase, LegPhase::descend);
-  EXPECT_LT((swing.foot() - there).norm(), 1e-9);
+  EXPECT_EQ(swing.lane.phase, LegPhase::retreat);
+  const double there = swing.foot().z();
+  double lowest = there;
+  for (int k = 0; k < 3000; ++k) {
+    swing.blocked = swing.lane.phase == LegPhase::descend;
+    swing.tick();
+    lowest = std::min(lowest, swing.foot().z());
+  }
+  EXPECT_GT(swing.lane.retreats, swing.params.max_retreats + 3);
+  EXPECT_GT(lowest, there - 0.01);
   swing.blocked = false;
   swing.touches = [](const Vector3& p) { return p.z() <= 0.0; };
   swing.land();
+}
+
+// The body has gone on: where the foot stood is out of reach, and so is its foothold. It comes down in
+// between, or beside.
+TEST(Swing, SearchesForAFootholdThatIsWithinReach) {
+  for (const double side : {0.0, 1.0, -1.0}) {
+    Swing swing;
+    const Vector3 way = (kTarget - kStart) / kStride;
+    const Vector3 left(-way.y(), way.x(), 0.0);
+    const double beside = side * 2.0 * swing.params.retreat_back;
+    const Vector3 place = kStart + (side == 0.0 ? 0.5 : 0.75) * kStride * way + beside * left;
+    swing.touches = [&](const Vector3& p) {
+      return p == kStart || (p.z() <= 0.0 && planar_distance(p, place) < 0.01);
+    };
+    swing.command(kTarget);
+    swing.until(LegPhase::transfer);
+    for (int k = 0; k < 20000 && swing.lane.phase != LegPhase::support; ++k) {
+      swing.reachable = swing.foot().z() > -0.01;
+      swing.tick();
+    }
+    ASSERT_EQ(swing.lane.phase, LegPhase::support) << side;
+    EXPECT_LT(planar_distance(swing.foot(), place), 0.01);
+    EXPECT_GT(swing.lane.retreats, swing.params.max_retreats);
+  }
 }
 
 }  // namespace

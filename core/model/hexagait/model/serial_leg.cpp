@@ -12,6 +12,7 @@ constexpr double kReached = 1e-9;     // distance at which the foot counts as at
 constexpr double kSettled = 1e-11;    // distance below which no step is needed to approach [m]
 constexpr double kAtRest = 1e-8;      // steps smaller than this change nothing [rad]
 constexpr double kLargestStep = 0.5;  // [rad]
+constexpr double kLeastRoom = 0.05;   // a joint at its limit in the stance moves yet [rad]
 constexpr double kSlack = 1e-3;       // foot motion allowed to null-space steps, of max_reach
 constexpr double kNoise = 1e-14;      // rounding of J Jᵀ, of max_reach²
 constexpr double kFarAway = 1e6;  // targets are clamped to this, so that squares stay finite [m]
@@ -79,21 +80,34 @@ void evaluate(const LegModel& leg, const Vector3& target, Search& at) {
   at.e = target - at.foot.p;
 }
 
+/// s of (leg 3): the room of each joint about the nominal stance. 1 for legs of three joints.
+LegJoints room_of(const LegModel& leg) {
+  LegJoints room = LegJoints::Ones();
+  if (leg.num_joints() == 3) return room;
+  for (int i = 0; i < leg.num_joints(); ++i) {
+    const double below = leg.q_nominal[i] - leg.limits[i].lower;
+    const double above = leg.limits[i].upper - leg.q_nominal[i];
+    room[i] = std::clamp(std::min(below, above), kLeastRoom, 1.0);
+  }
+  return room;
+}
+
 /// (leg 3) with some joints fixed: `fixed` holds their steps, `free` is 1 for the others.
 LegJoints damped_step(const LegModel& leg, const Search& at, const LegJoints& fixed,
                       const LegJoints& free) {
   const double noise = kNoise * leg.max_reach * leg.max_reach;
   const double damping = at.damping * at.e.squaredNorm() + noise;
-  const LegJacobian J = at.foot.J * free.asDiagonal();
+  const LegJoints room = room_of(leg);
+  const LegJacobian J = at.foot.J * free.cwiseProduct(room).asDiagonal();
   const Vector3 e = at.e - at.foot.J * fixed;
   const Matrix3 JJ = J * J.transpose(), I = Matrix3::Identity();
-  LegJoints step = fixed + J.transpose() * Matrix3(JJ + damping * I).ldlt().solve(e);
+  LegJoints step = J.transpose() * Matrix3(JJ + damping * I).ldlt().solve(e);
   if (leg.num_joints() > 3) {
-    const LegJoints rest = leg.q_nominal - at.q;
+    const LegJoints rest = (leg.q_nominal - at.q).cwiseQuotient(room);
     const LegJoints r = at.null_space * free.cwiseProduct(rest);
     step += r - J.transpose() * Matrix3(JJ + noise * I).ldlt().solve(J * r);
   }
-  return step;
+  return fixed + step.cwiseProduct(room);
 }
 
 /// (leg 3), with the joints that reach their limits fixed one after the other, the worst first.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <hexagait/model/kinematics.hpp>
-#include <hexagait/model/leg_weight.hpp>
 #include <hexagait/model/stance.hpp>
 #include <hexagait/model/workspace.hpp>
 #include <hexagait/params/best_stance.hpp>
@@ -41,13 +40,12 @@ bool all_pitch_legs(const RobotModel& robot) {
 }  // namespace
 
 StandingEffort standing_effort(const RobotModel& robot, double gravity) {
-  const double load = robot.mass * gravity / std::max(2, robot.num_legs() / 2 - 1);
+  const double load = standing_load(robot, gravity);
   StandingEffort most;
   for (LegId i = 0; i < robot.num_legs(); ++i) {
     const LegModel& leg = robot.legs[i];
     const LegSolution stance = inverse_kinematics(leg, leg.p_BC);
-    const LegJoints effort = leg_weight(leg, stance.q, {0.0, 0.0, gravity}).effort -
-                             foot_jacobian(leg, stance.trig).transpose() * Vector3(0.0, 0.0, load);
+    const LegJoints effort = standing_effort(leg, stance, load, gravity);
     for (int k = 0; k < leg.num_joints(); ++k) {
       const double share = std::abs(effort[k]) / leg.limits[k].effort;
       if (share > most.share) most = {share, i, k, std::abs(effort[k])};
@@ -89,9 +87,8 @@ std::string why_it_cannot_walk(const RobotModel& robot) {
   const RobotScale scale = scale_of(robot);
   if (scale.sideways > 0.0) return "";
   return "no leg has room for a step of " + in_words(scale.reach) +
-         " m about its foot: the legs are too short for their stance, or the limits of their "
-         "joints "
-         "too narrow";
+         " m about its foot: the legs are too short for their stance, the limits of their "
+         "joints too narrow, or their efforts too small to carry the robot there";
 }
 
 }  // namespace hexagait

@@ -7,9 +7,8 @@
 
 namespace hexagait {
 
-/// The effort of the joint that is nearest to its limit while the robot stands on the feet of every
-/// other leg, and one of them carries as much as the middle one of three: half of the weight, of 2k
-/// legs 1/(k − 1).
+/// The effort of the joint that is nearest to its limit while the robot stands in its stance, a foot
+/// under its standing_load().
 struct StandingEffort {
   double share = 0.0;  ///< of the joint's limit
   LegId leg = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <hexagait/model/kinematics.hpp>
+#include <hexagait/model/leg_weight.hpp>
 #include <hexagait/params/params_for.hpp>
 
 namespace hexagait {
@@ -55,8 +56,16 @@ FootSpeed foot_speed_of_two(const LegModel& leg, const LegTrig& trig) {
   return speed;
 }
 
-// The speeds throughout the volume of a swing of reach ℓ; 0 if a part of it is out of reach.
-FootSpeed speed_in_volume(const LegModel& leg, double reach) {
+bool carries(const LegModel& leg, const LegSolution& solution, double load, double gravity) {
+  const LegJoints effort = standing_effort(leg, solution, load, gravity);
+  for (int k = 0; k < leg.num_joints(); ++k)
+    if (std::abs(effort[k]) > leg.limits[k].effort) return false;
+  return true;
+}
+
+// The speeds throughout the volume of a swing of reach ℓ; 0 if a part of it is out of reach, or the leg can't
+// carry its load [N] all along its stroke.
+FootSpeed speed_in_volume(const LegModel& leg, double reach, double load, double gravity) {
   constexpr int kDirections = 8;
   const double height = kHeight * reach, radius = kDisc * kStroke * reach;
   FootSpeed least;
@@ -66,6 +75,7 @@ FootSpeed speed_in_volume(const LegModel& leg, double reach) {
       if (k > 0) offset.head<2>() = radius * unit_vector(2.0 * std::numbers::pi * k / kDirections);
       const LegSolution solution = inverse_kinematics(leg, leg.p_BC + offset);
       if (!solution.reachable) return {0.0, 0.0};
+      if (z == 0.0 && !carries(leg, solution, load, gravity)) return {0.0, 0.0};
       const FootSpeed speed = leg.has_two_joints() ? foot_speed_of_two(leg, solution.trig)
                                                    : foot_speed(leg, solution.trig);
       least.sideways = std::min(least.sideways, speed.sideways);
@@ -75,10 +85,11 @@ FootSpeed speed_in_volume(const LegModel& leg, double reach) {
   return least;
 }
 
-FootSpeed speed_in_volumes(const RobotModel& model, double reach) {
+FootSpeed speed_in_volumes(const RobotModel& model, double reach, double gravity) {
   FootSpeed least;
+  const double load = standing_load(model, gravity);
   for (const LegModel& leg : model.legs) {
-    const FootSpeed speed = speed_in_volume(leg, reach);
+    const FootSpeed speed = speed_in_volume(leg, reach, load, gravity);
     least = {std::min(least.sideways, speed.sideways), std::min(least.upwards, speed.upwards)};
   }
   return least;
@@ -276,7 +287,7 @@ RobotScale scale_of(const RobotModel& model, double gravity) {
   for (int k = kSteps; k >= kLeast; --k) {
     scale.room = static_cast<double>(k) / kSteps;
     scale.reach = scale.room * longest;
-    speed = speed_in_volumes(model, scale.reach);
+    speed = speed_in_volumes(model, scale.reach, gravity);
     if (speed.sideways > 0.0) break;
   }
   scale.sideways = speed.sideways;
@@ -387,6 +398,16 @@ const char* symbol(ScaleOf of) {
 }
 
 std::span<const Parameter> parameters() { return kParameters; }
+
+double standing_load(const RobotModel& model, double gravity) {
+  return model.mass * gravity / std::max(2, model.num_legs() / 2 - 1);
+}
+
+LegJoints standing_effort(const LegModel& leg, const LegSolution& solution, double load,
+                          double gravity) {
+  return leg_weight(leg, solution.q, {0.0, 0.0, gravity}).effort -
+         foot_jacobian(leg, solution.trig).transpose() * Vector3(0.0, 0.0, load);
+}
 
 RobotParams params_for(const RobotModel& model, double gravity) {
   const RobotScale scale = scale_of(model, gravity);

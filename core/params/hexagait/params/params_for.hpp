@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <hexagait/model/leg_solution.hpp>
 #include <hexagait/model/robot_model.hpp>
 #include <hexagait/params/robot_params.hpp>
 #include <span>
@@ -20,7 +21,8 @@ inline constexpr double kStandardGravity = 9.81;
 ///     T = s √(L / g)                                                     time
 ///
 /// λ ≤ 1 is the largest share for which the whole volume of a swing is within the legs' reach: discs
-/// of radius 0.55 · stroke about the centres, from below the ground up to the apex. s ≥ 1 is the
+/// of radius 0.55 · stroke about the centres, from below the ground up to the apex; and for which a leg
+/// carries its standing_load() all over the disc on the ground within its joints' efforts. s ≥ 1 is the
 /// least factor at which the joints, at 0.9 of their greatest speeds, move the foot throughout this
 /// volume as fast as a whole stroke in the time of a transfer asks, and the descent: |q̇| = |J⁺ v|.
 /// What a swing does faster than that, as its rise, is bounded by v→ and v↑, and takes longer by
@@ -46,6 +48,14 @@ struct RobotScale {
 /// ℓ/T of a step no part of which would wait for slow joints, the rise neither: the measure by which
 /// stances are compared [m/s].
 [[nodiscard]] double pace_of(const RobotScale& scale);
+
+/// The load of a foot while the robot stands on the feet of every other leg, and one of them carries as
+/// much as the middle one of three: half of the weight, of 2k legs 1/(k − 1) [N].
+[[nodiscard]] double standing_load(const RobotModel& model, double gravity = kStandardGravity);
+
+/// The joint efforts of a leg that carries this load [N], and its own links [N m].
+[[nodiscard]] LegJoints standing_effort(const LegModel& leg, const LegSolution& solution,
+                                        double load, double gravity = kStandardGravity);
 
 /// What a parameter is proportional to.
 enum class ScaleOf : std::uint8_t {

@@ -75,8 +75,8 @@ struct SwingParams {
   /// collision: a shin against an edge stops the leg without a contact at its foot [m].
   double blocked_error = kDerived;
   double retreat_time = kDerived;  ///< [s]
-  /// Collisions in one step after which the foot goes back to where it stood, and stays down. Each
-  /// try costs half a second, in which its neighbours wait.
+  /// Collisions in one step after which the foot goes back to where it stood; with more it searches
+  /// (swing 5). Each try costs half a second, in which its neighbours wait.
   int max_retreats = 5;
   /// Touchdowns of one foot in a row that end without hold, after which it tries a closer place.
   int max_bounces = 3;

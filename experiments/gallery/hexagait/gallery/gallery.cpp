@@ -42,7 +42,7 @@ void walk_it(const ExperimentContext& context, const GalleryRobot& robot, Galler
   simulation.seed = walk.seed;
   if (walk.height > 0.0) {
     simulation.terrain = {sim3d::TerrainKind::boxes, walk.height};
-    simulation.terrain.cell = kCell * robot.scale.size;
+    simulation.terrain.parts[0].extent = kCell * robot.scale.size;
   }
   walk.end =
       end_of(recording::simulate(robot.model, simulation, {}, context.stop), heading, robot.model);
