@@ -18,6 +18,7 @@
 
 #include "commands.hpp"
 #include "output.hpp"
+#include "robot_options.hpp"
 
 namespace hexagait::app {
 namespace {
@@ -56,6 +57,8 @@ List robots() {
         "m/s\n",
         name, robot.num_legs(), joints, robot.mass, length, width, reach, 100.0 * scale.reach,
         usual_speed(scale));
+    const std::vector<std::string> not_in_file = in_words(robot.substitutions, true);
+    for (const std::string& line : not_in_file) list.text += fmt::format("{:<14} {}\n", "", line);
     list.json.push_back({{"name", name},
                          {"file", file},
                          {"legs", robot.num_legs()},
@@ -66,7 +69,8 @@ List robots() {
                          {"size_m", scale.size},
                          {"reach_m", reach},
                          {"step_reach_m", scale.reach},
-                         {"usual_speed_m_s", usual_speed(scale)}});
+                         {"usual_speed_m_s", usual_speed(scale)},
+                         {"not_in_file", not_in_file}});
   }
   list.text +=
       fmt::format("{:<14} Genghis II in a side view, without a file: for walk only\n", kGenghis);

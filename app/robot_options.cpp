@@ -167,10 +167,13 @@ std::vector<std::string> in_words(const std::vector<Substitution>& substitutions
 RobotModel load_robot(const std::string& robot, const RobotOverrides& overrides, bool quiet) {
   const std::string file = robot_file(robot);
   RobotModel model = load_urdf(file, urdf_options(overrides));
-  if (!quiet)
-    for (const std::string& line : in_words(model.substitutions, true))
-      fmt::print(stderr, "hexagait: {}: {}\n", file, line);
+  if (!quiet) tell_substitutions(file, model);
   return model;
+}
+
+void tell_substitutions(const std::string& robot, const RobotModel& model) {
+  for (const std::string& line : in_words(model.substitutions, true))
+    fmt::print(stderr, "hexagait: {}: {}\n", robot, line);
 }
 
 }  // namespace hexagait::app

@@ -29,6 +29,9 @@ void add_robot_overrides(CLI::App& command, RobotOverrides& overrides);
 [[nodiscard]] RobotModel load_robot(const std::string& robot, const RobotOverrides& overrides,
                                     bool quiet);
 
+/// Says on stderr what of a robot is substituted, given or left out.
+void tell_substitutions(const std::string& robot, const RobotModel& model);
+
 /// What of a robot its file does not say, a line each; what is said of several in the same words is
 /// one line. Brief: what differs in numbers only is one line too, and what is derived is left out.
 [[nodiscard]] std::vector<std::string> in_words(const std::vector<Substitution>& substitutions,

@@ -218,6 +218,20 @@ TEST_F(SweepCli, WritesJobFilesThatABashCanRead) {
                     HasSubstr("--trial-timeout 90")));
 }
 
+// What its file does not say is never substituted in silence.
+TEST_F(SweepCli, TellsWhatOfARobotIsSubstituted) {
+  std::string urdf = content(fs::path(HEXAGAIT_SOURCE_DIR) / "robots/argos.urdf");
+  const std::size_t effort = urdf.find("effort=\"200\"");
+  ASSERT_NE(effort, std::string::npos);
+  write("my.urdf", urdf.replace(effort, 12, "effort=\"0\""));
+  write("walk.yaml",
+        "simulator: ode\ncontrollers: [free]\nrobots: [./my.urdf]\nterrains: [flat]\nseeds: 1\n"
+        "seconds: 0.1\n");
+  EXPECT_THAT(run("sweep walk.yaml --out a --jobs 1 --json").err,
+              AllOf(HasSubstr("./my.urdf: line "), HasSubstr("effort limit substituted: 0 N m")));
+  EXPECT_THAT(run("sweep walk.yaml --out b --jobs 1 --json --quiet").err, IsEmpty());
+}
+
 // A robot named by a relative path is found from every shard.
 TEST_F(SweepCli, RunsJobFilesWithARobotOfARelativePath) {
   const fs::path argos = fs::path(HEXAGAIT_SOURCE_DIR) / "robots/argos.urdf";

@@ -19,6 +19,7 @@
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "progress.hpp"
+#include "robot_options.hpp"
 
 namespace hexagait::app {
 namespace {
@@ -157,6 +158,8 @@ class Patience {
 
 RunOutcome run(const Sweep& sweep, const Shard& shard, const SweepArguments& arguments,
                const std::atomic<bool>& interrupted) {
+  if (!arguments.quiet)
+    for (const sweep::Robot& robot : sweep.robots) tell_substitutions(robot.name, robot.model);
   const int processes = jobs(arguments.jobs, cores());
   const Patience patience(processes, arguments.yes);
   std::optional<double> too_long;
