@@ -44,9 +44,9 @@ std::string problem(const std::string& text) {
 TEST(PathFile, IsReadAsItIsWritten) {
   const PathTask task = loaded(
       "closed: true\nspeed: 0.2\nfacing: 45deg\n"
-      "points:\n  - [0, 0]\n  - {x: 2, y: 0, speed: 0.1}\n  - [200cm, 1]\n");
+      "points:\n  - [0, 0]\n  - {x: 2, y: 0, speed: 0.1}\n  - [200cm, 2]\n");
   EXPECT_TRUE(task.path.closed());
-  EXPECT_DOUBLE_EQ(task.path.length(), 3.0 + std::sqrt(5.0));
+  EXPECT_DOUBLE_EQ(task.path.length(), 4.0 + std::sqrt(8.0));
   EXPECT_EQ(task.path.speed(1.0), 0.2);
   EXPECT_EQ(task.path.speed(2.5), 0.1);
   EXPECT_EQ(task.facing.kind, Facing::fixed);
@@ -89,7 +89,7 @@ TEST(PathFile, NamesFileLineAndValueOfWhatIsWrong) {
   EXPECT_THAT(problem("points: [[0, 0], [1, 0]]\nfacing: alnog\n"),
               HasSubstr("2:9: facing: 'alnog' is no way to face; did you mean 'along'?"));
   EXPECT_THAT(problem("points: [[0, 0], [1, 0]]\nspeed: -1\n"),
-              HasSubstr("speed: is \"-1\"; it must be a number of more than 0"));
+              HasSubstr("speed: is \"-1\"; it must be a finite number of more than 0"));
   EXPECT_THAT(problem("closed: true\n"), HasSubstr("the key \"points\" is missing"));
   EXPECT_THAT(problem("- [0, 0]\n- [1, 0]\n"), HasSubstr("it must be a map with points"));
   EXPECT_THAT(problem(""), HasSubstr("is nothing; it must be a map with points"));

@@ -40,7 +40,7 @@ Summary followed(const std::string& name, PathTask task, LocalisedBy localised_b
 PathTask corner(const std::string& name, FacingRule facing = {}) {
   const double a = scale_of(robot(name)).size;
   return {Path({{{0.0, 0.0}}, {{a, 0.0}}, {{a, a}}}, Shape::lines, false), facing, 1,
-          look_ahead_for(params_for(robot(name)).step)};
+          path_following::look_ahead_for(params_for(robot(name)).step)};
 }
 
 // It stands at the end when the walk ends. The corner is cut by a quarter of the look-ahead, and what
