@@ -222,15 +222,18 @@ void Referee::watch_progress(const TickRecord& record) {
   const bool spins = record.heading.rho() == 0.0;
   // A turn in place counts by the way of the feet.
   const double turned = outer_ * std::abs(turned_ - turned_before_);
-  const double progress = spins && !path_judge_ ? turned : deviation_.progress;
+  const double progress = spins ? turned : deviation_.progress;
   idle_ = record.heading.moving() ? idle_ + dt_ : 0.0;
-  if (progress > progress_seen_ + params_.progress) {
+  if (path_judge_) {
+    // Where odometry drifts it gets on beside its path: what counts is that it goes, or turns.
+    const double gone = (truth_.p.head<2>() - p_WB_seen_).norm();
+    if (gone > params_.progress || turned > params_.progress) {
+      p_WB_seen_ = truth_.p.head<2>();
+      turned_before_ = turned_;
+      idle_ = 0.0;
+    }
+  } else if (progress > progress_seen_ + params_.progress) {
     progress_seen_ = progress;
-    idle_ = 0.0;
-  }
-  // On a path it may turn in place between its ways.
-  if (path_judge_ && spins && turned > params_.progress) {
-    turned_before_ = turned_;
     idle_ = 0.0;
   }
   if (summary_.stuck || idle_ <= params_.patience) return;

@@ -92,6 +92,7 @@ class Referee {
   LegArray<double> lift_time_;
   std::vector<TimedLift> lifts_;
   double idle_ = 0.0, progress_seen_ = 0.0;
+  Vector2 p_WB_seen_ = Vector2::Zero();  ///< on a path: where it was when it last got on [m]
   double turned_ = 0.0, turned_before_ = 0.0, yaw_before_ = 0.0;
   LegArray<double> not_standing_, not_stepping_;  ///< for how long each leg [s]
   double outer_ = 0.0;                            ///< the farthest workspace centre [m]
