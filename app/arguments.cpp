@@ -13,6 +13,7 @@
 #include <hexagait/text/nearest_word.hpp>
 #include <hexagait/text/parse_number.hpp>
 #include <hexagait/text/quantity.hpp>
+#include <hexagait/walk/path_file.hpp>
 
 namespace hexagait::app {
 namespace {
@@ -30,6 +31,7 @@ constexpr Range kSpeed = {1e-6, 1e3, Dimension::number, "a speed of 1e-6 to 1000
 constexpr Range kDistance = {1e-3, 1e5, Dimension::length, "a length of 1mm to 100 km, in metres"};
 constexpr Range kPeriod = {1e-3, 86400.0, Dimension::time,
                            "a time of 1ms to a day between commands, in seconds"};
+constexpr Range kLookAhead = {1e-3, 1e3, Dimension::length, "a length of 1mm to 1 km, in metres"};
 constexpr Range kStep = {1e-5, 0.02, Dimension::time, "a time of 10us to 20ms, in seconds"};
 constexpr Range kControlPeriod = {1e-3, 0.02, Dimension::time, "a time of 1ms to 20ms, in seconds"};
 
@@ -91,6 +93,77 @@ walk::Schedule schedule(const WalkArguments& arguments, const RobotModel& robot,
   return walk::random_schedule(seed, period, seconds, walk::tightest_radius(robot));
 }
 
+walk::LocalisedBy localisation(const std::string& text) {
+  const std::vector<std::string> known = {"odometry", "truth"};
+  if (text.empty() || text == known[0]) return walk::LocalisedBy::odometry;
+  if (text == known[1]) return walk::LocalisedBy::truth;
+  throw InvalidInput(fmt::format(
+      "--localise is '{}'{}; it must be odometry, its own, or truth, as if it were given", text,
+      did_you_mean(text, known)));
+}
+
+int laps(const std::string& text, const path_following::Path& path) {
+  constexpr int kMost = 1000;
+  const auto count = parse_number<int>(text);
+  if (!count || *count < 1 || *count > kMost)
+    throw InvalidInput(
+        fmt::format("--laps is '{}'; it must be a whole number from 1 to {}", text, kMost));
+  if (!path.closed() && *count > 1)
+    throw InvalidInput(fmt::format("--laps is '{}', but the path is not closed: it has one", text));
+  return *count;
+}
+
+// What --facing and --crab make of what the path's file says.
+path_following::FacingRule facing(const WalkArguments& a, const path_following::PathTask& task) {
+  path_following::FacingRule rule = task.facing;
+  if (!a.facing.empty()) rule = option_value("--facing", a.facing, walk::parse_facing);
+  if (rule.kind == path_following::Facing::points && !task.path.has_facing())
+    throw InvalidInput(fmt::format(
+        "{}: no point says where to face; write one as {{x: 1, y: 0, facing: 90deg}}", a.path));
+  if (a.crab.empty()) return rule;
+  if (rule.kind != path_following::Facing::along)
+    throw InvalidInput(fmt::format(
+        "--crab makes no sense where the path's facing is {}; with --facing along the body "
+        "goes along the path at this angle",
+        walk::to_string(rule)));
+  rule.angle = -option_value("--crab", a.crab, walk::parse_angle);
+  return rule;
+}
+
+std::optional<path_following::PathTask> path_task(const WalkArguments& a, const RobotModel& robot,
+                                                  const RobotParams& params) {
+  if (a.path.empty()) {
+    const auto refuse = [](const std::string& given, const char* option) {
+      if (!given.empty())
+        throw InvalidInput(fmt::format("{} makes no sense without --path", option));
+    };
+    refuse(a.facing, "--facing");
+    refuse(a.localise, "--localise");
+    refuse(a.look_ahead, "--look-ahead");
+    refuse(a.laps, "--laps");
+    return {};
+  }
+  const std::string file = shared_file("--path: path", a.path, "paths", ".yaml");
+  path_following::PathTask task = walk::load_path(file, robot, params.step);
+  task.facing = facing(a, task);
+  if (!a.look_ahead.empty()) task.look_ahead = number("--look-ahead", a.look_ahead, kLookAhead);
+  if (!a.laps.empty()) task.laps = laps(a.laps, task.path);
+  return task;
+}
+
+// Longer than any walk along it takes that gets on at all.
+double time_for(const path_following::PathTask& task, const RobotModel& robot, double speed) {
+  constexpr double kLongest = 5.0, kLeast = 40.0;
+  const double usual = std::min(speed, usual_speed(scale_of(robot)));
+  double time = task.path.at(0.0).norm() / usual;
+  for (const path_following::Path::Piece& piece : task.path.pieces()) {
+    const bool last = &piece == &task.path.pieces().back();
+    const double end = last ? task.path.length() : (&piece)[1].s;
+    time += task.laps * (end - piece.s) / std::min(usual, piece.speed);
+  }
+  return std::clamp(kLongest * time, kLeast, kSeconds.greatest);
+}
+
 double posture_spread(const std::string& text, const RobotModel& robot) {
   double radius = robot.legs[0].workspace_radius;
   for (const LegModel& leg : robot.legs) radius = std::min(radius, leg.workspace_radius);
@@ -132,6 +205,7 @@ void refuse_in_side_view(const WalkArguments& a) {
   refuse(!a.spin.empty(), "--spin", kStraight);
   refuse(!a.commands.empty(), "--commands", kStraight);
   refuse(!a.random_commands.empty(), "--random-commands", kStraight);
+  refuse(!a.path.empty(), "--path", kStraight);
   refuse(!a.set.empty() || !a.params.empty(), "--set or --params", "its parameters are its own");
   refuse(!a.speed.empty(), "--speed", "its speed is its own");
   refuse(a.plant.given(), "--plant, or an option of it,", "its plant is ideal");
@@ -150,6 +224,11 @@ bool walks_backward(const std::string& crab) {
 
 }  // namespace
 
+// Those in robots/ have 0.26 to 0.34 ℓ/T, those of four legs, which crawl, 0.06 to 0.07 ℓ/T.
+double usual_speed(const RobotScale& scale) {
+  return (scale.legs == 4 ? 0.065 : 0.3) * scale.reach / scale.time;
+}
+
 double time_limit(const std::string& text) { return number("--seconds", text, kSeconds); }
 
 std::uint64_t seed(const std::string& text) {
@@ -164,7 +243,7 @@ sim2d::GenghisTrial genghis_trial(const WalkArguments& arguments) {
   trial.gait = gait(arguments);
   trial.seed = seed(arguments.seed);
   trial.backward = walks_backward(arguments.crab);
-  trial.seconds = number("--seconds", arguments.seconds, kSeconds);
+  if (!arguments.seconds.empty()) trial.seconds = time_limit(arguments.seconds);
   if (!arguments.distance.empty())
     trial.distance = number("--distance", arguments.distance, kDistance);
   if (!arguments.random_posture.empty()) {
@@ -213,10 +292,16 @@ recording::Simulation simulation(const WalkArguments& arguments, const RobotMode
   if (!arguments.random_posture.empty())
     result.random_posture = posture_spread(arguments.random_posture, robot);
 
-  result.trial.seconds = number("--seconds", arguments.seconds, kSeconds);
+  result.trial.path = path_task(arguments, robot, result.params);
+  result.trial.localised_by = localisation(arguments.localise);
+  if (result.trial.path)
+    result.trial.seconds = time_for(*result.trial.path, robot, result.trial.speed);
+  if (!arguments.seconds.empty()) result.trial.seconds = time_limit(arguments.seconds);
   if (!arguments.distance.empty())
     result.trial.distance = number("--distance", arguments.distance, kDistance);
-  result.trial.schedule = schedule(arguments, robot, result.seed, result.trial.seconds);
+  result.trial.schedule = result.trial.path
+                              ? walk::Schedule{{0.0, Heading::stop()}}
+                              : schedule(arguments, robot, result.seed, result.trial.seconds);
   complete(result, robot);
   return result;
 }

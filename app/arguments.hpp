@@ -20,9 +20,11 @@ struct WalkArguments {
   std::vector<std::string> set;  ///< NAME=VALUE
   std::string params, speed;
   std::string radius, crab, spin, commands, random_commands;
+  std::string path, facing, localise, look_ahead, laps;
   std::string gait, duty_factor;
   std::string terrain = "flat";
-  std::string seed = "1", seconds = "40", distance;
+  std::string seed = "1", distance;
+  std::string seconds;  ///< if not given 40, along a path as long as that may take
   std::string random_posture, physics_step, control_period;
   bool no_contacts = false, no_joint_feedback = false;
   PlantArguments plant;
@@ -47,6 +49,9 @@ inline constexpr const char* kGenghis = "genghis2d";
 /// What was typed, as a walk of Genghis in the side view.
 /// @throws InvalidInput  naming the first option that is wrong or makes no sense there
 [[nodiscard]] sim2d::GenghisTrial genghis_trial(const WalkArguments& arguments);
+
+/// At which a robot walks straight on over flat ground, or nearly so [m/s].
+[[nodiscard]] double usual_speed(const RobotScale& scale);
 
 /// What --seconds says [s]. @throws InvalidInput
 [[nodiscard]] double time_limit(const std::string& text);

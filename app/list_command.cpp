@@ -31,12 +31,6 @@ struct List {
   std::string text;
 };
 
-// At which robots walk straight on over flat ground, or nearly so: those in robots/ at 0.26 to 0.34 ℓ/T,
-// those of four legs, which crawl, at 0.06 to 0.07 ℓ/T.
-double usual_speed(const RobotScale& scale) {
-  return (scale.legs == 4 ? 0.065 : 0.3) * scale.reach / scale.time;
-}
-
 List robots() {
   List list;
   list.text = fmt::format("{:<14} {:>4}  {:>6}  {:>8}  {:>11}  {:>10}  {:>6}  {:>6}\n", "", "legs",
@@ -121,6 +115,17 @@ List actions() {
   return list;
 }
 
+List paths() {
+  List list;
+  for (const std::string& name : known_names("paths", ".yaml")) {
+    const std::string file = shared_file("path", name, "paths", ".yaml");
+    const std::string about = comment(file), what = about.substr(0, about.find(". "));
+    list.text += fmt::format("{:<14} {}\n", name, what);
+    list.json.push_back({{"name", name}, {"file", file}, {"description", what}});
+  }
+  return list;
+}
+
 List terrains() {
   List list;
   const auto add = [&](std::string_view syntax, std::string_view meaning, bool side_view) {
@@ -186,9 +191,13 @@ struct Kind {
 }  // namespace
 
 int list_command(const std::string& what, bool json) {
-  const Kind kinds[] = {{"robots", robots},     {"actions", actions},
-                        {"terrains", terrains}, {"plants", plants},
-                        {"faults", faults},     {"experiments", experiments_list}};
+  const Kind kinds[] = {{"robots", robots},
+                        {"actions", actions},
+                        {"paths", paths},
+                        {"terrains", terrains},
+                        {"plants", plants},
+                        {"faults", faults},
+                        {"experiments", experiments_list}};
   std::vector<std::string> names;
   for (const Kind& kind : kinds) {
     names.push_back(kind.name);
@@ -198,8 +207,8 @@ int list_command(const std::string& what, bool json) {
     return kOk;
   }
   throw InvalidInput(
-      fmt::format("there is no list of '{}'{}; there are robots, actions, terrains, plants, "
-                  "faults and experiments",
+      fmt::format("there is no list of '{}'{}; there are robots, actions, paths, terrains, "
+                  "plants, faults and experiments",
                   what, did_you_mean(what, names)));
 }
 

@@ -158,11 +158,12 @@ void add_robot(CLI::App& app, RobotArguments& a) {
 void add_list(CLI::App& app, ListArguments& a) {
   CLI::App* list = app.add_subcommand("list", "List what comes with hexagait, a line each");
   list->add_option("what", a.what, "What to list")
-      ->type_name("robots|actions|terrains|plants|faults|experiments")
+      ->type_name("robots|actions|paths|terrains|plants|faults|experiments")
       ->required();
   list->add_flag("--json", a.json, "Print one JSON array");
   list->footer(
-      "\nRobots and actions lie in ../share/hexagait beside the command, or where HEXAGAIT_DATA "
+      "\nRobots, actions and paths lie in ../share/hexagait beside the command, or where "
+      "HEXAGAIT_DATA "
       "says.\n\nExamples:\n  hexagait list robots\n  hexagait list actions --json\n\n"
       "Exit status: 0 listed; 2 bad usage.");
 }

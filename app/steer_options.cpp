@@ -31,7 +31,7 @@ void add_steer(CLI::App& app, SteerArguments& a) {
   steer->footer(kNotes);
   a.walk.terrain = "boxes:10cm";
   a.walk.radius = "3";
-  a.walk.seconds.clear();
+
   steer->add_option("--robot", a.walk.robot, "URDF file, or a name of hexagait list robots")
       ->type_name("FILE|NAME")
       ->capture_default_str();

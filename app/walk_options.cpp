@@ -15,6 +15,7 @@ Examples:
   hexagait walk --radius 3 --terrain boxes:10cm     to the left over boxes of up to 10 cm
   hexagait walk --spin cw --seconds 10              on the spot, to the right
   hexagait walk --crab 45deg --distance 2 --json    diagonally, as one JSON object
+  hexagait walk --path figure_eight --facing keep   along a path, without turning
   hexagait walk --duty-factor 0.75                  a tetrapod wave gait
   hexagait walk --plant real --terrain boxes:10cm   with sensors, delays and masses as they are
   hexagait walk --joint-noise 2mrad --late-ticks 5% --servo position-only
@@ -22,7 +23,7 @@ Examples:
                                                     Genghis II from the side
   hexagait walk --random-commands 5 --plot walk.svg --trace walk.csv
 
-Exit status: 0 walked to the end; 1 fell, stuck, fault, or did not arrive at the distance;
+Exit status: 0 walked to the end; 1 fell, stuck, fault, or did not arrive in time;
 2 bad usage or input, or a file or stdout that can't be written; 130 Ctrl-C.)";
 
 void add_commands(CLI::App& walk, WalkArguments& a) {
@@ -53,15 +54,36 @@ void add_commands(CLI::App& walk, WalkArguments& a) {
   spin->excludes(radius)->excludes(crab);
   commands->excludes(radius)->excludes(crab)->excludes(spin);
   random->excludes(radius)->excludes(crab)->excludes(spin)->excludes(commands);
+  auto* path =
+      walk.add_option("--path", a.path,
+                      "Follow a path: a YAML file of points, or a name of hexagait list paths")
+          ->type_name("FILE|NAME");
+  path->excludes(radius)->excludes(spin)->excludes(commands)->excludes(random);
+}
+
+void add_path(CLI::App& walk, WalkArguments& a) {
+  walk.add_option("--facing", a.facing,
+                  "along (default: along the path, or at --crab to it), keep (as at the start), an "
+                  "angle, points (as the file says) or car (never sideways)")
+      ->type_name("F");
+  walk.add_option("--localise", a.localise,
+                  "Where it takes its place from: odometry (default) or truth, given without error")
+      ->type_name("odometry|truth");
+  walk.add_option("--look-ahead", a.look_ahead,
+                  "How far ahead on the path it makes for; default 1.25 strokes")
+      ->type_name("LENGTH");
+  walk.add_option("--laps", a.laps, "Of a closed path; default 1")->type_name("N");
 }
 
 void add_length_and_start(CLI::App& walk, WalkArguments& a) {
-  walk.add_option("--seconds", a.seconds, "Time to walk at most, 1ms to 1 day")
-      ->type_name("TIME")
-      ->capture_default_str();
-  walk.add_option("--distance", a.distance,
-                  "Path to walk, 1mm to 100 km; exit status 1 if it does not arrive in time")
-      ->type_name("LENGTH");
+  walk.add_option("--seconds", a.seconds,
+                  "Time to walk at most, 1ms to 1 day; default 40, with --path enough for it")
+      ->type_name("TIME");
+  auto* distance =
+      walk.add_option("--distance", a.distance,
+                      "Path to walk, 1mm to 100 km; exit status 1 if it does not arrive in time")
+          ->type_name("LENGTH");
+  distance->excludes(walk.get_option("--path"));
   walk.add_option("--random-posture", a.random_posture,
                   "Start with feet displaced by up to this; at most a workspace's radius")
       ->type_name("LENGTH");
@@ -123,6 +145,8 @@ void add_walk(CLI::App& app, WalkArguments& a) {
   group(*walk, "Robot and ground");
   add_commands(*walk, a);
   group(*walk, "Where to and how");
+  add_path(*walk, a);
+  group(*walk, "With --path");
   add_length_and_start(*walk, a);
   group(*walk, "How long, and from where");
   add_parameters(*walk, a);

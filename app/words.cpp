@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <hexagait/walk/path_file.hpp>
 
 namespace hexagait::app {
 namespace {
@@ -27,6 +28,8 @@ std::string line(const Heading& heading) {
 }
 
 std::string walked(const Simulation& simulation, const Summary& s) {
+  if (s.path)
+    return fmt::format("followed {:.1f} m of a path of {:.1f} m", s.path->done, s.path->length);
   const walk::Schedule& schedule = simulation.trial.schedule;
   if (schedule.size() > 1)
     return fmt::format("walked {:.1f} m on {} commands", s.distance, schedule.size());
@@ -46,6 +49,7 @@ std::string ending(const WalkReport& report) {
   if (s.stuck) return "Stuck, no more progress: " + so_far;
   if (s.fault != footstep_gen::Fault::none)
     return fmt::format("Stopped by a fault ({}): {}", footstep_gen::to_string(s.fault), so_far);
+  if (!arrived(report) && s.path) return "Did not arrive at the end of its path: " + so_far;
   if (!arrived(report))
     return fmt::format("Did not arrive at {:.3g} m: {}", report.simulation.trial.distance, so_far);
   return "";
@@ -55,6 +59,18 @@ std::string gait(const Summary& s) {
   if (!s.tripod_after_steps) return "no tripod gait found";
   return *s.tripod_after_steps == 0 ? "tripod gait from the first"
                                     : fmt::format("tripod gait after {}", *s.tripod_after_steps);
+}
+
+void add_path(std::string& text, const walk::TrialOptions& trial, const walk::PathSummary& path) {
+  add(text, "end of path",
+      path.arrived ? fmt::format("{} off it", length(path.off_end)) : "not reached");
+  add(text, "missed", fmt::format("no point of the path by more than {}", length(path.missed)));
+  add(text, "believed",
+      fmt::format("by its odometry off path by {} on average, at most {}",
+                  length(path.believed_mean), length(path.believed_max)));
+  add(text, "pursuit",
+      fmt::format("facing {}, {} ahead, localised by {}", walk::to_string(trial.path->facing),
+                  length(trial.path->look_ahead), walk::to_string(trial.localised_by)));
 }
 
 }  // namespace
@@ -87,12 +103,13 @@ std::string headline(const WalkReport& report) {
     sentence += fmt::format(" in {:.3g} s", s.seconds);
   }
   if (report.side_view) return sentence + ".";
-  return sentence +
-         fmt::format("; never more than {} off the commanded path.", length(s.lateral_max));
+  return sentence + fmt::format("; never more than {} off {}.", length(s.lateral_max),
+                                s.path ? "it" : "the commanded path");
 }
 
 bool arrived(const WalkReport& report) {
-  return report.summary.arrived || !std::isfinite(report.simulation.trial.distance);
+  const walk::TrialOptions& trial = report.simulation.trial;
+  return report.summary.arrived || (!trial.path && !std::isfinite(trial.distance));
 }
 
 std::string subtitle(const WalkReport& report) {
@@ -128,6 +145,7 @@ std::string in_words(const WalkReport& report) {
         fmt::format("{} and {:.1f}° from the truth at the end", length(s.odometry_position),
                     std::abs(degrees(s.odometry_heading))));
   }
+  if (s.path) add_path(text, report.simulation.trial, *s.path);
   if (!report.hindrance.empty()) add(text, "stuck", report.hindrance);
   for (const std::string& found : report.found) add(text, "found", found);
   if (report.simulation.plant.name != "ideal") add(text, "plant", report.simulation.plant.name);

@@ -115,7 +115,7 @@ install(FILES ${PROJECT_BINARY_DIR}/hexagaitConfig.cmake
               ${PROJECT_BINARY_DIR}/hexagaitConfigVersion.cmake
         DESTINATION ${config_dir})
 
-install(DIRECTORY robots actions DESTINATION ${data_dir})
+install(DIRECTORY robots actions paths DESTINATION ${data_dir})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR}

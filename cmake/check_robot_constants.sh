@@ -10,7 +10,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 units='\[(m|s|N|N m|kg|m/s|m/s²|rad/s|1/s|1/m|m²|m/\(N s\)|N m/rad|N m s/rad)[],;]'
 number='(k[A-Z][A-Za-z]*|[a-z_]+) = -?[0-9.]*[1-9][0-9.e-]*[;,]'
-found=$(git ls-files core gait_state heading_control posture footstep_gen navigation sim3d walk |
+found=$(git ls-files core gait_state heading_control posture footstep_gen navigation path_following sim3d walk |
   grep -E '\.[ch]pp$' | grep -vE '_test\.cpp$|/testing/|^core/(params|load|yaml|text)/' |
   xargs awk -v units="$units" -v number="$number" '
     FNR == 1 { above = "" }

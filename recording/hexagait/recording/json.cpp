@@ -6,6 +6,7 @@
 #include <hexagait/recording/detail/walk_json.hpp>
 #include <hexagait/recording/json.hpp>
 #include <hexagait/recording/version.hpp>
+#include <hexagait/walk/path_file.hpp>
 #include <nlohmann/json.hpp>
 
 namespace hexagait::recording {
@@ -31,6 +32,24 @@ Json commands(const walk::Schedule& schedule) {
                     {"crab_rad", command.heading.crab_angle()},
                     {"duty_factor", json_of(command.duty_factor)}});
   return list;
+}
+
+Json path_asked(const walk::TrialOptions& trial) {
+  const path_following::PathTask& task = *trial.path;
+  return {{"lap_m", task.path.length()},
+          {"closed", task.path.closed()},
+          {"laps", task.laps},
+          {"facing", walk::to_string(task.facing)},
+          {"look_ahead_m", task.look_ahead},
+          {"localisation", walk::to_string(trial.localised_by)}};
+}
+
+Json path_results(const walk::PathSummary& path) {
+  return {{"length_m", path.length},
+          {"done_m", path.done},
+          {"believed_error_m", {{"mean", path.believed_mean}, {"max", path.believed_max}}},
+          {"missed_m", path.missed},
+          {"end_error_m", path.off_end}};
 }
 
 Json leg_json(const LegModel& leg) {
@@ -76,10 +95,12 @@ Json configuration(const WalkReport& report) {
   return {{"robot", report.robot},
           {"terrain", terrain_of(report)},
           {"seed", simulation.seed},
-          {"heading", schedule.size() == 1 ? kind(first) : "schedule"},
+          {"heading", simulation.trial.path  ? "path"
+                      : schedule.size() == 1 ? kind(first)
+                                             : "schedule"},
           {"curvature_per_m", schedule.size() == 1 ? finite(first.curvature()) : Json(nullptr)},
           {"crab_rad", schedule.size() == 1 ? finite(first.crab_angle()) : Json(nullptr)},
-          {"commands", commands(schedule)},
+          {"commands", simulation.trial.path ? Json::array() : commands(schedule)},
           {"seconds_asked", simulation.trial.seconds},
           {"distance_asked_m", finite(simulation.trial.distance)},
           {"gait", gait_state::to_string(simulation.gait)},
@@ -169,7 +190,9 @@ std::string terrain_of(const WalkReport& report) {
 std::string to_json(const WalkReport& report, const std::vector<std::string>& files) {
   Json json = {{"schema", kJsonSchema}};
   json.update(configuration(report));
+  if (report.simulation.trial.path) json["path_asked"] = path_asked(report.simulation.trial);
   json.update(results(report));
+  if (report.summary.path) json["path"] = path_results(*report.summary.path);
   json.update(timing(report.summary));
   json["interrupted"] = report.interrupted;
   json["files"] = files;

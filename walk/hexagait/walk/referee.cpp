@@ -82,7 +82,7 @@ void Referee::observe(const TickRecord& record, const GroundTruth& truth) {
   summary_.fault = record.fault;
 }
 
-void Referee::follow_path(const TickRecord& record, const GroundTruth& truth) {
+void Referee::follow_curve(const TickRecord& record, const GroundTruth& truth) {
   const bool is_new = !(record.heading == heading_);
   if (is_new) {
     distance_before_ += deviation_.progress;
@@ -93,6 +93,15 @@ void Referee::follow_path(const TickRecord& record, const GroundTruth& truth) {
   deviation_ = path_.deviation(in_plane(truth.X_WB));
   // A base beside the last curve may be behind the beginning of the next one.
   if (is_new) progress_seen_ = deviation_.progress;
+}
+
+void Referee::follow_path(const TickRecord& record, const GroundTruth& truth) {
+  if (path_judge_)
+    deviation_ = path_judge_->observe(in_plane(truth.X_WB), in_plane(record.state.X_OB));
+  else
+    follow_curve(record, truth);
+  if (path_judge_ && !path_judge_->on_path()) return;
+  ++lateral_ticks_;
   const double lateral = std::abs(deviation_.lateral);
   lateral_sum_ += lateral;
   summary_.lateral_max = std::max(summary_.lateral_max, lateral);
@@ -212,9 +221,18 @@ void Referee::watch_progress(const TickRecord& record) {
   watch_legs(record);
   const bool spins = record.heading.rho() == 0.0;
   // A turn in place counts by the way of the feet.
-  const double progress = spins ? outer_ * std::abs(turned_ - turned_before_) : deviation_.progress;
+  const double turned = outer_ * std::abs(turned_ - turned_before_);
+  const double progress = spins ? turned : deviation_.progress;
   idle_ = record.heading.moving() ? idle_ + dt_ : 0.0;
-  if (progress > progress_seen_ + params_.progress) {
+  if (path_judge_) {
+    // Where odometry drifts it gets on beside its path: what counts is that it goes, or turns.
+    const double gone = (truth_.p.head<2>() - p_WB_seen_).norm();
+    if (gone > params_.progress || turned > params_.progress) {
+      p_WB_seen_ = truth_.p.head<2>();
+      turned_before_ = turned_;
+      idle_ = 0.0;
+    }
+  } else if (progress > progress_seen_ + params_.progress) {
     progress_seen_ = progress;
     idle_ = 0.0;
   }
@@ -229,7 +247,8 @@ Summary Referee::summary() const {
   s.distance = distance();
   s.turned = turned_;
   s.speed = s.seconds > 0.0 ? s.distance / s.seconds : 0.0;
-  s.lateral_mean = ticks_ > 0 ? lateral_sum_ / static_cast<double>(ticks_) : 0.0;
+  s.lateral_mean = lateral_ticks_ > 0 ? lateral_sum_ / static_cast<double>(lateral_ticks_) : 0.0;
+  if (path_judge_) s.path = path_judge_->summary();
 
   // Odometry starts where the truth does.
   const PlanarPose odometry = start_ * in_plane(odometry_);

@@ -5,9 +5,11 @@
 #include <hexagait/gait_state/tripod_gait.hpp>
 #include <hexagait/params/params_for.hpp>
 #include <hexagait/sim/ground_truth.hpp>
+#include <hexagait/walk/path_judge.hpp>
 #include <hexagait/walk/reference_path.hpp>
 #include <hexagait/walk/summary.hpp>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 namespace hexagait::walk {
@@ -26,13 +28,20 @@ class Referee {
   Referee(const RobotModel& model, const GroundTruth& truth, double control_dt,
           const RefereeParams& params = {});
 
+  /// From now on the walk is judged by this path instead of the commanded curves: distance, deviation,
+  /// ideal pose, progress. Before the first observe().
+  /// @param task  must outlive the referee
+  void follow(const path_following::PathTask& task) { path_judge_.emplace(task, start_); }
+
   /// After every tick of the controller and step of the plant.
   void observe(const footstep_gen::TickRecord& record, const GroundTruth& truth);
 
   [[nodiscard]] const RobotModel& robot() const { return *model_; }
   [[nodiscard]] const ReferencePath::Deviation& deviation() const { return deviation_; }
-  /// Where the base should be, on the commanded curve.
-  [[nodiscard]] const PlanarPose& ideal() const { return path_.ideal(); }
+  /// Where the base should be, on the commanded curve or on the path.
+  [[nodiscard]] PlanarPose ideal() const {
+    return path_judge_ ? path_judge_->ideal() : path_.ideal();
+  }
   [[nodiscard]] bool fell() const { return summary_.fell; }
   [[nodiscard]] bool stuck() const { return summary_.stuck; }
   [[nodiscard]] double distance() const { return distance_before_ + deviation_.progress; }
@@ -55,6 +64,7 @@ class Referee {
     Vector3 p_W = Vector3::Zero();  ///< where the foot last touched [m]
   };
 
+  void follow_curve(const footstep_gen::TickRecord& record, const GroundTruth& truth);
   void follow_path(const footstep_gen::TickRecord& record, const GroundTruth& truth);
   void watch_posture(const GroundTruth& truth);
   void watch_stances(const GroundTruth& truth);
@@ -69,11 +79,12 @@ class Referee {
   RefereeParams params_;
   PlanarPose start_;
   ReferencePath path_;
+  std::optional<PathJudge> path_judge_;
   heading_control::Heading heading_ = heading_control::Heading::stop();
   ReferencePath::Deviation deviation_;
   double distance_before_ = 0.0;
   double lateral_sum_ = 0.0;
-  long ticks_ = 0;
+  long ticks_ = 0, lateral_ticks_ = 0;
   LegArray<Stance> stances_;
   LegArray<Vector3> slip_before_touch_;
   LegArray<Support> supports_;
@@ -81,6 +92,7 @@ class Referee {
   LegArray<double> lift_time_;
   std::vector<TimedLift> lifts_;
   double idle_ = 0.0, progress_seen_ = 0.0;
+  Vector2 p_WB_seen_ = Vector2::Zero();  ///< on a path: where it was when it last got on [m]
   double turned_ = 0.0, turned_before_ = 0.0, yaw_before_ = 0.0;
   LegArray<double> not_standing_, not_stepping_;  ///< for how long each leg [s]
   double outer_ = 0.0;                            ///< the farthest workspace centre [m]

@@ -211,6 +211,28 @@ TEST(Referee, DoesNotCallARobotStuckThatBeginsBehindTheNextCurve) {
   EXPECT_TRUE(walk.referee.stuck()) << "now it stands";
 }
 
+// Odometry may take it beside its path, where it gets on all the same: 1 cm/s across it for 30 s.
+TEST(Referee, CallsARobotOnAPathStuckOnlyIfItStands) {
+  const path_following::PathTask line = {
+      path_following::Path({{{0.0, 0.0}}, {{5.0, 0.0}}}, path_following::Shape::lines, false),
+      {},
+      1,
+      0.2};
+  HandMadeWalk walk;
+  walk.referee.follow(line);
+  walk.record.heading = Heading::straight(0.0);
+  for (int k = 0; k < 15'000; ++k) {
+    walk.truth.X_WB.p = {0.0, 0.01 * kDt * k, 0.3};
+    walk.tick();
+  }
+  EXPECT_FALSE(walk.referee.stuck());
+  for (int k = 0; k < 5500; ++k) {  // it rocks by 4 cm
+    walk.truth.X_WB.p.x() = 0.02 * std::sin(0.01 * k);
+    walk.tick();
+  }
+  EXPECT_TRUE(walk.referee.stuck());
+}
+
 // Rocking by 4 cm is no progress.
 TEST(Referee, CallsARobotThatOnlyRocksStuck) {
   HandMadeWalk rocking;

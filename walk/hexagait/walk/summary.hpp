@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <hexagait/footstep_gen/tick_record.hpp>
+#include <hexagait/walk/path_judge.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -77,7 +78,8 @@ struct Summary {
   /// No progress for too long: RefereeParams::progress and patience; and what was in the way.
   bool stuck = false;
   Hindrance hindrance;
-  bool arrived = false;                                   ///< the distance asked for was reached
+  bool arrived = false;             ///< the distance asked for, or the end of the path, was reached
+  std::optional<PathSummary> path;  ///< if it followed one
   footstep_gen::Fault fault = footstep_gen::Fault::none;  ///< why the controller stopped, if it did
 
   double real_time_factor = 0.0;             ///< simulated seconds per second of processor time

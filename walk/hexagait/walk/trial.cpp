@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -10,6 +11,8 @@
 
 namespace hexagait::walk {
 namespace {
+
+using heading_control::HeadingCommand;
 
 // Of this thread: others may walk as well.
 double processor_seconds() {
@@ -44,6 +47,11 @@ Summary run_trial(footstep_gen::Walker& walker, Plant& plant, const GroundTruth&
   const auto ticks = static_cast<long>(std::llround(options.seconds / dt));
   Measurement measurement = settled(walker, plant, options.settle);
   Referee referee(walker.model(), truth, dt, options.referee);
+  std::optional<PathPilot> pilot;
+  if (options.path) {
+    pilot.emplace(*options.path, options.localised_by, truth);
+    referee.follow(*options.path);
+  }
   std::vector<double> tick_times;
   tick_times.reserve(static_cast<std::size_t>(ticks));
 
@@ -54,11 +62,13 @@ Summary run_trial(footstep_gen::Walker& walker, Plant& plant, const GroundTruth&
     if (command.duty_factor)
       walker.set_stepping(
           {.stepping = gait_state::Stepping::wave, .duty_factor = *command.duty_factor});
-    const heading_control::Heading heading =
-        options.steer ? options.steer(walker.record()) : command.heading;
+    const HeadingCommand asked = pilot ? pilot->steer(walker, truth)
+                                 : options.steer
+                                     ? HeadingCommand{options.steer(walker.record()), options.speed}
+                                     : HeadingCommand{command.heading, options.speed};
     const auto before = std::chrono::steady_clock::now();
-    const footstep_gen::TickRecord& record =
-        walker.tick(status, measurement, {heading, options.speed});
+    const footstep_gen::TickRecord& record = walker.tick(
+        status, measurement, {asked.heading, std::min(asked.speed_limit, options.speed)});
     tick_times.push_back(
         std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - before)
             .count());
@@ -67,13 +77,16 @@ Summary run_trial(footstep_gen::Walker& walker, Plant& plant, const GroundTruth&
     referee.observe(record, truth);
     if (observer) observer(record, truth, referee);
     const bool arrived = referee.distance() >= options.distance;
-    if (arrived || referee.fell() || referee.stuck() || record.fault != footstep_gen::Fault::none)
+    const bool at_end = pilot && pilot->stands_at_end(walker);
+    if (arrived || at_end || referee.fell() || referee.stuck() ||
+        record.fault != footstep_gen::Fault::none)
       break;
     status = plant.read(measurement);
   }
 
   Summary summary = referee.summary();
-  summary.arrived = referee.distance() >= options.distance;
+  summary.arrived = pilot ? pilot->progress().arrived : referee.distance() >= options.distance;
+  if (summary.path) summary.path->arrived = summary.arrived;
   const double processor = processor_seconds() - processor_start;
   summary.real_time_factor = processor > 0.0 ? summary.seconds / processor : 0.0;
   summary.tick_median = percentile(tick_times, 0.5);

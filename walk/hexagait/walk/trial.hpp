@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <hexagait/footstep_gen/walker.hpp>
+#include <hexagait/walk/path_pilot.hpp>
 #include <hexagait/walk/referee.hpp>
 #include <hexagait/walk/schedule.hpp>
 #include <limits>
@@ -14,9 +15,12 @@ namespace hexagait::walk {
 using Steer = std::function<heading_control::Heading(const footstep_gen::TickRecord&)>;
 
 struct TrialOptions {
-  Schedule schedule;      ///< commands over time, at least one
-  Steer steer;            ///< if there is one, the schedule's headings do not matter
-  double seconds = 40.0;  ///< time limit [s]
+  Schedule schedule;  ///< commands over time, at least one
+  Steer steer;        ///< if there is one, the schedule's headings do not matter
+  /// If there is one, it is followed, and the walk is judged by it; headings do not matter.
+  std::optional<path_following::PathTask> path;
+  LocalisedBy localised_by = LocalisedBy::odometry;           ///< of who follows a path
+  double seconds = 40.0;                                      ///< time limit [s]
   double distance = std::numeric_limits<double>::infinity();  ///< path limit [m]
   /// Bound of the speed along the path, at the farthest workspace centre [m/s].
   double speed = std::numeric_limits<double>::infinity();
@@ -28,8 +32,8 @@ struct TrialOptions {
 using Observer =
     std::function<void(const footstep_gen::TickRecord&, const GroundTruth&, const Referee&)>;
 
-/// Walks in a loop of plant, controller and referee, until the time or path limit, a fall, a fault
-/// or until it is stuck.
+/// Walks in a loop of plant, controller and referee, until the time or path limit, the end of the path, a
+/// fall, a fault or until it is stuck.
 /// @param truth  the plant's ground truth, updated by its write()
 /// @throws InvalidInput  if the schedule is empty
 [[nodiscard]] Summary run_trial(footstep_gen::Walker& walker, Plant& plant,

@@ -3,6 +3,7 @@
 #include <hexagait/all/all.hpp>
 #include <hexagait/fg16/fg16.hpp>
 #include <hexagait/gallery/gallery.hpp>
+#include <hexagait/paths/paths.hpp>
 #include <hexagait/pc04/pc04.hpp>
 #include <hexagait/sensitivity/sensitivity.hpp>
 
@@ -40,6 +41,8 @@ const std::vector<Experiment>& experiments() {
       {"walks", "the walks by which the controller is judged: headings, postures, terrain", walks,
        true},
       {"rates", "control periods of 1 to 20 ms: ten headings on flat ground, and boxes", rates,
+       true},
+      {"path", "paths that are given: a figure of eight and a square, flat ground and boxes", path,
        true},
       {"sensitivity", "what each imperfection of a robot costs, and at which size it breaks",
        sensitivity},
