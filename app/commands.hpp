@@ -34,6 +34,8 @@ struct ExperimentArguments {
   std::string title = "auto";  ///< of the figures; or none
   std::string jobs;            ///< empty: one per core
   std::string robots;          ///< how many random ones; empty: as many as usual
+  std::string seeds;           ///< of each point of rough; empty: as many as usual
+  std::string shard;           ///< of rough: k/n; empty: all
   bool list = false, short_form = false, json = false, quiet = false;
   PlantArguments plant;
 };

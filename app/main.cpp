@@ -28,7 +28,8 @@ void add_experiment(CLI::App& app, ExperimentArguments& a) {
       "\nWithout a name it lists the experiments; all of them take about an hour.\n\n"
       "On another plant than the ideal one no claim is judged; what was measured is told.\n\n"
       "Examples:\n  hexagait experiment fig9 --out results\n  hexagait experiment all --short\n"
-      "  hexagait experiment walks --plant real\n\n"
+      "  hexagait experiment walks --plant real\n"
+      "  hexagait experiment rough --seeds 20 --out results\n\n"
       "Exit status: 0 every claim holds, or fails within the band that is declared for it; 1 one\n"
       "does not, or holds unexpectedly; 2 bad usage or input; 130 Ctrl-C. `all` also writes "
       "index.html, a page that shows them.");
@@ -42,10 +43,16 @@ void add_experiment(CLI::App& app, ExperimentArguments& a) {
       ->capture_default_str();
   experiment
       ->add_option("--jobs", a.jobs,
-                   "Workers of sensitivity, random_robots and gallery; default one per core")
+                   "Workers of rough, sensitivity, random_robots and gallery; default one per core")
       ->type_name("N");
   experiment->add_option("--robots", a.robots, "How many robots random_robots draws; default 200")
       ->type_name("N");
+  experiment->add_option("--seeds", a.seeds, "How many terrains a height rough has; default 200")
+      ->type_name("N");
+  experiment
+      ->add_option("--shard", a.shard,
+                   "Walk only the k-th of n parts of rough; see docs/rough_terrain.md")
+      ->type_name("k/n");
   experiment->add_flag("--list", a.list, "The same as hexagait list experiments");
   experiment->add_flag("--short", a.short_form,
                        "Some seconds each; claims that need the full length are not judged");

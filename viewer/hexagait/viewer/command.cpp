@@ -123,7 +123,7 @@ Command twist(const Message& m) {
 Command gait(const Message& m) {
   m.only({"gait"});
   const auto choice = gait_state::parse_gait_choice(m.word("gait"));
-  if (!choice || choice->adjustment != gait_state::Adjustment::latched)
+  if (!choice || choice->adjustment != gait_state::Adjustment::latched || choice->open_loop)
     m.refuse("gait", "it must be free, tripod or wave:BETA with BETA from 0.5 to less than 1");
   return ChangeGait{choice->stepper};
 }

@@ -4,6 +4,7 @@
 #include <hexagait/fg16/fg16.hpp>
 #include <hexagait/gallery/gallery.hpp>
 #include <hexagait/pc04/pc04.hpp>
+#include <hexagait/rough/rough.hpp>
 #include <hexagait/sensitivity/sensitivity.hpp>
 
 namespace hexagait::experiments {
@@ -41,6 +42,7 @@ const std::vector<Experiment>& experiments() {
        true},
       {"rates", "control periods of 1 to 20 ms: ten headings on flat ground, and boxes", rates,
        true},
+      {"rough", "success and cost against the height of boxes, of four controllers", rough, true},
       {"sensitivity", "what each imperfection of a robot costs, and at which size it breaks",
        sensitivity},
       {"gallery", "every robot in robots/: flat ground and boxes", gallery, true},
