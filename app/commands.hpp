@@ -71,4 +71,14 @@ int verify_command(bool as_json, bool quiet);
 /// `hexagait list WHAT`. @throws InvalidInput  if there is no such list
 int list_command(const std::string& what, bool json);
 
+/// `hexagait terrains` as it was typed.
+struct TerrainsArguments {
+  std::vector<std::string> terrains;  ///< to draw; none: an example of each kind
+  std::string plot;                   ///< file; empty: only the list
+  std::string seed = "1";
+};
+
+/// `hexagait terrains`: the list, or a picture. @throws InvalidInput
+int terrains_command(const TerrainsArguments& arguments);
+
 }  // namespace hexagait::app

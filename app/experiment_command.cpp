@@ -111,7 +111,7 @@ int experiment_command(const ExperimentArguments& arguments) {
       context.titles = arguments.title != "none";
       context.jobs = jobs(arguments.jobs, cores());
       context.count = robots;
-      context.seeds = seeds;
+      context.seeds = seeds == 0 && selection.size() > 1 ? kRoughSeedsOfMany : seeds;
       context.part = part.index;
       context.parts = part.count;
       if (!arguments.quiet)

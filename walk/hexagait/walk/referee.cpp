@@ -232,9 +232,8 @@ Summary Referee::summary() const {
   s.distance = distance();
   s.turned = turned_;
   s.speed = s.seconds > 0.0 ? s.distance / s.seconds : 0.0;
-  constexpr double kGravity = 9.81;  // [m/s²]
   if (s.distance > 0.0)
-    s.cost_of_transport = (work_ - work_before_) / (model_->mass * kGravity * s.distance);
+    s.cost_of_transport = (work_ - work_before_) / (model_->mass * kStandardGravity * s.distance);
   s.lateral_mean = ticks_ > 0 ? lateral_sum_ / static_cast<double>(ticks_) : 0.0;
 
   // Odometry starts where the truth does.
