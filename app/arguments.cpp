@@ -79,7 +79,7 @@ gait_state::GaitChoice gait(const WalkArguments& arguments) {
   if (arguments.gait.empty()) return {};
   const auto choice = gait_state::parse_gait_choice(arguments.gait);
   if (choice) return *choice;
-  const std::vector<std::string> known = {"free", "unadjusted", "literal", "tripod"};
+  const std::vector<std::string> known = {"free", "unadjusted", "literal", "tripod", "clocked"};
   throw InvalidInput(
       fmt::format("--gait is '{}'{}; it must be {}, BETA at least 0.5 and less than 1",
                   arguments.gait, did_you_mean(arguments.gait, known), gait_state::kGaitChoices));
@@ -241,6 +241,9 @@ sim2d::GenghisTrial genghis_trial(const WalkArguments& arguments) {
   sim2d::GenghisTrial trial;
   trial.terrain = sim2d::parse_terrain2d(arguments.terrain);
   trial.gait = gait(arguments);
+  if (trial.gait.open_loop)
+    throw InvalidInput(
+        fmt::format("--gait clocked walks in three dimensions only, not {}", kGenghis));
   trial.seed = seed(arguments.seed);
   trial.backward = walks_backward(arguments.crab);
   if (!arguments.seconds.empty()) trial.seconds = time_limit(arguments.seconds);

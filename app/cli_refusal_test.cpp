@@ -121,6 +121,16 @@ TEST_F(Cli, RefusesWhatItDoesNotKnow) {
 
 TEST_F(Cli, NamesTheCommandOrOptionThatWasProbablyMeant) {
   refuses("wlak", {"'wlak'", "did you mean 'walk'?"});
+  refuses("walk --terrain heightmap:5cm,2m,no.png", {"no.png"});
+  refuses("walk --terrain heightmap:5cm", {"its length or its file is missing"});
+  refuses("walk --robot genghis2d --gait clocked", {"clocked", "three dimensions"});
+  refuses("terrains boxes:5cm", {"--plot"});
+  refuses("terrains hills --plot a.png", {"unknown kind"});
+  refuses("terrains --plot a.jpg", {"--plot", "a.jpg"});
+  refuses("experiment rough --seeds 0", {"--seeds is '0'"});
+  refuses("experiment fig9 --seeds 3", {"--seeds is an option of rough"});
+  refuses("experiment fig9 --shard 1/2", {"--shard is an option of rough"});
+  refuses("experiment rough --shard 3/2", {"from 1 to 2"});
   refuses("list robotz", {"'robotz'", "did you mean 'robots'?", "terrains"});
   refuses("walk --terain flat", {"'--terain'", "did you mean '--terrain'?", "walk --help"});
   refuses("run nod --contoller=kinematic", {"'--contoller'", "did you mean '--controller'?"});

@@ -34,6 +34,8 @@ struct ExperimentArguments {
   std::string title = "auto";  ///< of the figures; or none
   std::string jobs;            ///< empty: one per core
   std::string robots;          ///< how many random ones; empty: as many as usual
+  std::string seeds;           ///< of each point of rough; empty: as many as usual
+  std::string shard;           ///< of rough: k/n; empty: all
   bool list = false, short_form = false, json = false, quiet = false;
   PlantArguments plant;
 };
@@ -68,5 +70,15 @@ int verify_command(bool as_json, bool quiet);
 
 /// `hexagait list WHAT`. @throws InvalidInput  if there is no such list
 int list_command(const std::string& what, bool json);
+
+/// `hexagait terrains` as it was typed.
+struct TerrainsArguments {
+  std::vector<std::string> terrains;  ///< to draw; none: an example of each kind
+  std::string plot;                   ///< file; empty: only the list
+  std::string seed = "1";
+};
+
+/// `hexagait terrains`: the list, or a picture. @throws InvalidInput
+int terrains_command(const TerrainsArguments& arguments);
 
 }  // namespace hexagait::app

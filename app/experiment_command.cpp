@@ -55,19 +55,33 @@ recording::PlantSetup plant_for(const std::vector<Experiment>& selection,
   return setup;
 }
 
-// What --robots says; 0: nothing.
-std::uint64_t how_many(const ExperimentArguments& arguments) {
-  if (arguments.robots.empty()) return 0;
+// What --robots or --seeds says, that only one experiment knows; 0: nothing.
+std::uint64_t how_many(const char* option, const std::string& text, const char* experiment,
+                       const std::vector<Experiment>& selection) {
+  if (text.empty()) return 0;
   constexpr std::uint64_t kMost = 1000000;
-  const auto count = parse_number<std::uint64_t>(arguments.robots);
+  const auto count = parse_number<std::uint64_t>(text);
   if (!count || *count < 1 || *count > kMost)
-    throw InvalidInput(fmt::format("--robots is '{}'; it must be a whole number from 1 to {}",
-                                   arguments.robots, kMost));
+    throw InvalidInput(
+        fmt::format("{} is '{}'; it must be a whole number from 1 to {}", option, text, kMost));
+  if (std::ranges::find(selection, experiment, &Experiment::name) == selection.end())
+    throw InvalidInput(fmt::format("{} is an option of {}, not of {}", option, experiment,
+                                   selection.front().name));
   return *count;
+}
+
+sweep::Shard part_of(const std::string& text, const std::vector<Experiment>& selection) {
+  if (!text.empty() && (selection.size() > 1 || selection.front().name != "rough"))
+    throw InvalidInput("--shard is an option of rough alone");
+  return shard(text);
 }
 
 void print(const Manifest& manifest, const std::filesystem::path& out) {
   print_out(fmt::format("{}\n", manifest.title));
+  if (!manifest.outcome.left.empty()) {
+    print_out(fmt::format("  {}\n\n", manifest.outcome.left));
+    return;
+  }
   for (const experiments::Verdict& verdict : manifest.outcome.verdicts) {
     print_out(fmt::format("  {}: {}\n", verdict.word(), verdict.claim));
     for (const std::string& line : verdict.lines()) print_out(fmt::format("      {}\n", line));
@@ -81,6 +95,9 @@ int experiment_command(const ExperimentArguments& arguments) {
   if (arguments.list || arguments.name.empty()) return list_command("experiments", arguments.json);
   const std::vector<Experiment> selection = chosen(arguments.name);
   const recording::PlantSetup plant = plant_for(selection, arguments.plant);
+  const std::uint64_t robots = how_many("--robots", arguments.robots, "random_robots", selection);
+  const std::uint64_t seeds = how_many("--seeds", arguments.seeds, "rough", selection);
+  const sweep::Shard part = part_of(arguments.shard, selection);
   const RobotModel robot = load_urdf(robot_file("argos"));
   figures::require_gnuplot();
   const std::atomic<bool>& interrupted = watch_interrupts();
@@ -93,7 +110,12 @@ int experiment_command(const ExperimentArguments& arguments) {
           experiment_context(robot, progress, interrupted, arguments.short_form);
       context.titles = arguments.title != "none";
       context.jobs = jobs(arguments.jobs, cores());
-      context.count = how_many(arguments);
+      context.count = robots;
+      context.seeds = seeds == 0 && selection.size() > 1 ? kRoughSeedsOfMany : seeds;
+      context.part = part.index;
+      context.parts = part.count;
+      if (!arguments.quiet)
+        context.say = [](const std::string& text) { fmt::print(stderr, "{}\n", text); };
       context.plant = plant;
       manifests.push_back(run(experiment, context, arguments.out));
     });

@@ -8,6 +8,9 @@
 
 namespace hexagait::app {
 
+/// Terrains a height that rough has where it is one experiment of many: all of its own take hours.
+inline constexpr std::uint64_t kRoughSeedsOfMany = 10;
+
 /// What every experiment gets, whichever command runs it. It refers to its arguments.
 /// @param robot  argos
 [[nodiscard]] experiments::ExperimentContext experiment_context(const RobotModel& robot,

@@ -137,7 +137,7 @@ List terrains() {
   for (const auto& terrain : sim2d::known_terrains2d()) add(terrain.syntax, terrain.meaning, true);
   list.text +=
       "\nH is a height: 0.1, 10cm or 100mm; the second number may be left out. Kinds add up:\n"
-      "slope:10deg+boxes:5cm.\n";
+      "slope:10deg+boxes:5cm. hexagait terrains --plot FILE draws them.\n";
   return list;
 }
 

@@ -228,6 +228,7 @@ int results_command(const ResultsArguments& arguments) {
     ExperimentContext context =
         experiment_context(robot, progress, interrupted, arguments.short_form);
     context.jobs = jobs("", cores());
+    if (arguments.only.empty()) context.seeds = kRoughSeedsOfMany;
     const Manifest manifest = run(experiment, context, arguments.figures);
     if (interrupted) return kInterrupted;
     well = well && manifest.is_accounted_for();

@@ -48,6 +48,31 @@ TEST_F(SweepCli, RefusesASweepFileWithAllItsErrorsAndWritesNothing) {
   EXPECT_FALSE(fs::exists(at("a")));
 }
 
+// A terrain of two numbers is one cell of the table, and a file that can't be read is told at once.
+TEST_F(SweepCli, TakesTerrainsOfTwoNumbersAndOfFiles) {
+  write("map.csv", "0,1\n1,0\n");
+  write("a.yaml",
+        "simulator: ode\ncontrollers: [tripod, clocked]\nterrains: ['stairs:5cm,40cm', "
+        "'heightmap:5cm,2m,map.csv']\nseeds: 1\nseconds: 0.4\n");
+  const Result result = run("sweep a.yaml --out a --quiet");
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(content(at("a/trials.csv")),
+              AllOf(HasSubstr(",stairs:0.05;0.4,0.05,"), HasSubstr(",heightmap:0.05;2;map.csv,")));
+  EXPECT_THAT(content(at("a/manifest.json")), HasSubstr("\"map.csv\""));
+  EXPECT_EQ(run("report a --json").status, 0);
+  EXPECT_EQ(run("walk --terrain 'heightmap:0.05;2;map.csv' --seconds 0.2 --quiet").status, 0);
+
+  write("map.csv", "0,1\n1,0.5\n");
+  EXPECT_EQ(run("sweep a.yaml --out a --quiet").status, 2) << "another file is another sweep";
+  write("b.yaml",
+        "simulator: ode\ncontrollers: [tripod]\nterrains: ['heightmap:5cm,2m,no.csv']\nseeds: 1\n");
+  const Result bad = run("sweep b.yaml --out b");
+  EXPECT_EQ(bad.status, 2);
+  EXPECT_THAT(bad.err, AllOf(HasSubstr("b.yaml:3:12"), HasSubstr("no.csv")));
+  write("c.yaml", "simulator: slice\ncontrollers: [clocked]\nterrains: [flat]\nseeds: 1\n");
+  EXPECT_THAT(run("sweep c.yaml --out c").err, HasSubstr("has no 'clocked'"));
+}
+
 TEST_F(SweepCli, RefusesOptionsThatMakeNoSense) {
   for (const auto& [options, word] :
        {std::pair("--jobs 0", "--jobs is '0'"), std::pair("--jobs many", "'many'"),

@@ -50,16 +50,6 @@ double trial_timeout(const std::string& text) {
       "--trial-timeout is '{}'; it must be a time from 0.001 to 10000000 seconds", text));
 }
 
-Shard shard(const std::string& text) {
-  if (text.empty()) return {};
-  const std::size_t slash = text.find('/');
-  if (slash == std::string::npos)
-    throw InvalidInput(fmt::format("--shard is '{}'; write 2/8 for the second of eight", text));
-  const std::uint64_t count =
-      whole("the number of shards", std::string_view(text).substr(slash + 1), kMaxShards);
-  return {whole("--shard", std::string_view(text).substr(0, slash), count) - 1, count};
-}
-
 // The message of robot_file() is about an option.
 std::string find_robot(const std::string& name) {
   try {
@@ -201,6 +191,16 @@ int jobs(const std::string& text, unsigned otherwise) {
 }
 
 unsigned cores() { return std::max(1U, std::thread::hardware_concurrency()); }
+
+Shard shard(const std::string& text) {
+  if (text.empty()) return {};
+  const std::size_t slash = text.find('/');
+  if (slash == std::string::npos)
+    throw InvalidInput(fmt::format("--shard is '{}'; write 2/8 for the second of eight", text));
+  const std::uint64_t count =
+      whole("the number of shards", std::string_view(text).substr(slash + 1), kMaxShards);
+  return {whole("--shard", std::string_view(text).substr(0, slash), count) - 1, count};
+}
 
 int sweep_command(const SweepArguments& arguments) {
   const Sweep sweep = sweep::load_sweep(arguments.file, find_robot);

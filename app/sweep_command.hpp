@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <hexagait/sweep/sweep.hpp>
 #include <string>
 #include <vector>
 
@@ -46,5 +47,8 @@ int report_command(const ReportArguments& arguments);
 
 /// Of this machine.
 [[nodiscard]] unsigned cores();
+
+/// The part that --shard k/n asks for; all of it if the text is empty. @throws InvalidInput
+[[nodiscard]] sweep::Shard shard(const std::string& text);
 
 }  // namespace hexagait::app

@@ -43,8 +43,8 @@ void add_commands(CLI::App& walk, WalkArguments& a) {
                                  "A random command every so often, 1ms to 1 day")
                      ->type_name("TIME");
   auto* gait = walk.add_option("--gait", a.gait,
-                               "free (default), unadjusted, literal, tripod (waits for all legs) "
-                               "or wave:BETA")
+                               "free (default), unadjusted, literal, tripod (waits for all legs), "
+                               "clocked (a tripod by the clock, that feels nothing) or wave:BETA")
                    ->type_name("G");
   walk.add_option("--duty-factor", a.duty_factor,
                   "Wave gait: share of the time that a leg stands, 0.5 (tripod) to < 1; the same "

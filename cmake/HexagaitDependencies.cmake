@@ -11,6 +11,7 @@ set(hexagait_foreign_libraries
     "PkgConfig::tinyxml2|hexagait_find_by_pkg_config(tinyxml2)|tinyxml2|libtinyxml2-dev"
     "PkgConfig::assimp|hexagait_find_by_pkg_config(assimp)|assimp|libassimp-dev"
     "PkgConfig::ode|hexagait_find_by_pkg_config(ode)|ode|libode-dev"
+    "PkgConfig::libpng|hexagait_find_by_pkg_config(libpng)|libpng|libpng-dev"
     "PkgConfig::libwebsockets|hexagait_find_by_pkg_config(libwebsockets)|libwebsockets|libwebsockets-dev")
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
@@ -34,6 +35,9 @@ if(HEXAGAIT_MESHES)
 endif()
 if(HEXAGAIT_SIM3D)
   pkg_check_modules(ode REQUIRED IMPORTED_TARGET ode)
+endif()
+if(HEXAGAIT_PNG)
+  pkg_check_modules(libpng REQUIRED IMPORTED_TARGET libpng)
 endif()
 if(HEXAGAIT_VIEWER)
   pkg_check_modules(libwebsockets REQUIRED IMPORTED_TARGET libwebsockets)

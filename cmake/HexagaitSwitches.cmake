@@ -32,6 +32,18 @@ hexagait_switch(HEXAGAIT_ACTIONS "Load Free Gait actions from YAML, and walk; ne
 hexagait_switch(HEXAGAIT_VERIFY "Prove the theorems on gaits case by case; needs fmt" ON)
 hexagait_switch(HEXAGAIT_SIM2D "The slice model and Genghis in two dimensions; needs Box2D" ON)
 hexagait_switch(HEXAGAIT_SIM3D "Robots in three dimensions; needs ODE" ON)
+# Without libpng this is off by itself: heightmaps are read from tables of numbers only.
+if(HEXAGAIT_SIM3D AND NOT DEFINED HEXAGAIT_PNG)
+  find_package(PkgConfig QUIET)
+  if(PkgConfig_FOUND)
+    pkg_check_modules(libpng QUIET libpng)
+  endif()
+  if(NOT libpng_FOUND)
+    set(libpng_FOUND OFF)
+    message(STATUS "No libpng: HEXAGAIT_PNG (heightmaps of PNG files) is off")
+  endif()
+endif()
+hexagait_switch(HEXAGAIT_PNG "Read heightmaps from PNG files; needs libpng" "${libpng_FOUND}" HEXAGAIT_SIM3D)
 hexagait_switch(HEXAGAIT_FIGURES "Traces, figures and statistics of walks; needs Boost and nlohmann-json"
                 ON HEXAGAIT_ACTIONS HEXAGAIT_SIM2D HEXAGAIT_SIM3D)
 # Without libwebsockets this is off by itself: hexagait steer then says what it lacks.

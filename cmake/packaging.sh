@@ -10,10 +10,10 @@ kComponents=(controller urdf actions verify sim sim2d sim3d walk statistics figu
 
 # The foreign libraries that a component, or a switch, may use; Eigen always.
 declare -A kForeign=(
-  [urdf]='tinyxml2 assimp' [actions]='fmt yaml-cpp' [verify]=fmt [sim2d]=box2d [sim3d]=ode
-  [walk]='fmt yaml-cpp' [figures]=fmt [recording]='fmt yaml-cpp box2d ode tinyxml2 assimp'
-  [viewer]='fmt yaml-cpp box2d ode tinyxml2 assimp libwebsockets libcap'
-  [sweeps]='fmt yaml-cpp box2d ode tinyxml2 assimp')
+  [urdf]='tinyxml2 assimp' [actions]='fmt yaml-cpp' [verify]=fmt [sim2d]=box2d [sim3d]='ode libpng zlib'
+  [walk]='fmt yaml-cpp' [figures]=fmt [recording]='fmt yaml-cpp box2d ode libpng zlib tinyxml2 assimp'
+  [viewer]='fmt yaml-cpp box2d ode libpng zlib tinyxml2 assimp libwebsockets libcap'
+  [sweeps]='fmt yaml-cpp box2d ode libpng zlib tinyxml2 assimp')
 
 # hide_but LIBRARY…: prints options that hide all foreign libraries but these from find_package, and
 # leaves of pkg-config's files in build/visible those of these.
@@ -177,7 +177,7 @@ check_package() {
   (cd build/release && cpack -G DEB -B ../package)
   file=$(echo build/package/*.deb)
   depends=$(dpkg-deb -f "$file" Depends)
-  for package in libbox2d-dev libeigen3-dev libfmt-dev libode-dev libtinyxml2-dev libassimp-dev libyaml-cpp-dev libwebsockets-dev libc6; do
+  for package in libbox2d-dev libeigen3-dev libfmt-dev libode-dev libpng-dev libtinyxml2-dev libassimp-dev libyaml-cpp-dev libwebsockets-dev libc6; do
     [[ "$depends" == *"$package"* ]] || { printf 'no %s in: %s\n' "$package" "$depends"; return 1; }
   done
   [[ $(dpkg-deb -f "$file" Recommends) == gnuplot-nox ]]

@@ -6,7 +6,7 @@
 kLogs=build/log
 kRunPackages=(
   build-essential cmake ninja-build pkg-config
-  libassimp-dev libbox2d-dev libeigen3-dev libfmt-dev libode-dev librandom123-dev libtinyxml2-dev
+  libassimp-dev libbox2d-dev libeigen3-dev libfmt-dev libode-dev libpng-dev librandom123-dev libtinyxml2-dev
   libyaml-cpp-dev                                               # the library
   libboost-math-dev libcli11-dev nlohmann-json3-dev gnuplot-nox  # the hexagait command
 )

@@ -31,7 +31,7 @@ Manifest run(const Experiment& experiment, const ExperimentContext& asked, const
   manifest.provenance = outcome.walk ? recording::provenance(outcome.walk->robot, *context.robot,
                                                              outcome.walk->simulation)
                                      : outcome.provenance.value_or(recording::provenance());
-  if (context.stopped()) return manifest;
+  if (context.stopped() || !outcome.left.empty()) return manifest;
 
   // A PDF carries the date, so its bytes differ from run to run.
   for (const std::string& name : files.names())

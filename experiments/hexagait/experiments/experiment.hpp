@@ -22,6 +22,11 @@ struct ExperimentContext {
   bool titles = true;       ///< above the figures
   int jobs = 1;             ///< workers, where an experiment has some
   std::uint64_t count = 0;  ///< how many random robots; 0: as many as usual
+  std::uint64_t seeds = 0;  ///< terrains a point, where that may be chosen; 0: as many as usual
+  /// Only this one of so many parts of its walks, on one of several machines.
+  std::uint64_t part = 0, parts = 1;
+  std::function<void(const std::string&)> say =
+      {};  ///< told how long it will take, before it begins
   /// Where its files will be; what is kept there meanwhile, an experiment removes in the end.
   std::filesystem::path directory = {};
   recording::PlantSetup plant = {};  ///< of the walks; claims are made for the ideal one

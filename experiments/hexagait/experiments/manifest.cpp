@@ -62,7 +62,8 @@ Json settings_json(const Outcome& outcome) {
 }  // namespace
 
 bool Manifest::is_accounted_for() const {
-  const bool judges_all = !short_form && plant.is_ideal();
+  if (!outcome.left.empty()) return true;
+  const bool judges_all = !short_form && plant.is_ideal() && outcome.judges_all;
   return !outcome.verdicts.empty() &&
          std::ranges::all_of(outcome.verdicts, [&](const Verdict& verdict) {
            return verdict.is_accounted_for() && (verdict.not_judged.empty() || !judges_all);

@@ -24,6 +24,8 @@ std::optional<GaitChoice> parse_gait_choice(std::string_view text) {
   if (text == "unadjusted") return GaitChoice{.adjustment = Adjustment::none};
   if (text == "literal") return GaitChoice{.adjustment = Adjustment::literal};
   if (text == "tripod") return GaitChoice{.stepper = {.stepping = Stepping::tripod}};
+  if (text == "clocked")
+    return GaitChoice{.stepper = {.stepping = Stepping::tripod}, .open_loop = true};
   if (!text.starts_with(kWave)) return {};
   const std::optional<double> duty_factor = parse_duty_factor(text.substr(kWave.size()));
   if (!duty_factor) return {};
@@ -31,7 +33,7 @@ std::optional<GaitChoice> parse_gait_choice(std::string_view text) {
 }
 
 std::string to_string(const GaitChoice& choice) {
-  if (choice.stepper.stepping == Stepping::tripod) return "tripod";
+  if (choice.stepper.stepping == Stepping::tripod) return choice.open_loop ? "clocked" : "tripod";
   if (choice.stepper.stepping == Stepping::wave) {
     std::array<char, 32> digits{};
     const auto end = std::to_chars(digits.begin(), digits.end(), choice.stepper.duty_factor).ptr;

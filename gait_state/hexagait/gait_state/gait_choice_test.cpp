@@ -8,7 +8,8 @@ namespace hexagait::gait_state {
 namespace {
 
 TEST(GaitChoice, IsReadBackAsItIsWritten) {
-  for (const char* text : {"free", "unadjusted", "literal", "tripod", "wave:0.5", "wave:0.75"}) {
+  for (const char* text :
+       {"free", "unadjusted", "literal", "tripod", "clocked", "wave:0.5", "wave:0.75"}) {
     const auto choice = parse_gait_choice(text);
     ASSERT_TRUE(choice) << text;
     EXPECT_EQ(to_string(*choice), text);

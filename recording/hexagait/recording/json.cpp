@@ -105,8 +105,8 @@ Json configuration(const WalkReport& report) {
           {"distance_asked_m", finite(simulation.trial.distance)},
           {"gait", gait_state::to_string(simulation.gait)},
           {"random_posture_m", simulation.random_posture},
-          {"foot_contacts", simulation.sensors.foot_contacts},
-          {"joint_feedback", simulation.sensors.joint_feedback},
+          {"foot_contacts", !simulation.gait.open_loop && simulation.sensors.foot_contacts},
+          {"joint_feedback", !simulation.gait.open_loop && simulation.sensors.joint_feedback},
           {"plant", json(simulation.plant)},
           {"physics_step_s", simulation.physics_dt},
           {"control_period_s", simulation.control_dt}};
@@ -128,6 +128,7 @@ Json results(const walk::Summary& s) {
           {"slip_m", {{"mean", finite(s.slip_mean)}, {"p95", finite(s.slip_p95)}}},
           {"stances", s.stances},
           {"stability_margin_m", {{"min", finite(s.margin_min)}, {"p5", finite(s.margin_p5)}}},
+          {"cost_of_transport", finite(s.cost_of_transport)},
           {"roll_rad", {{"max", s.roll_max}}},
           {"pitch_rad", {{"max", s.pitch_max}}},
           {"body_height_m", {{"min", s.height_min}, {"max", s.height_max}}},

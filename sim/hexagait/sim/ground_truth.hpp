@@ -4,6 +4,7 @@
 
 #include <hexagait/math/geometry.hpp>
 #include <hexagait/math/leg.hpp>
+#include <limits>
 
 namespace hexagait {
 
@@ -35,7 +36,10 @@ struct GroundTruth {
   LegArray<FootTruth> feet;          ///< per leg
   bool base_touches_ground = false;  ///< the base link touched the ground in the last step: a fall
   bool leg_touches_ground = false;  ///< a leg touched the ground with something other than its foot
-  bool finite = true;               ///< false once the physics has diverged and stopped
+  /// Work of the joints since the start of the world, ∫ Σ |τ q̇| dt, where braking costs as much as
+  /// driving [J]; NaN if the world does not tell.
+  double work = std::numeric_limits<double>::quiet_NaN();
+  bool finite = true;          ///< false once the physics has diverged and stopped
   long solver_complaints = 0;  ///< number of steps that the contact solver reported as ill-posed
 };
 

@@ -164,5 +164,26 @@ TEST_F(Referee, GivesTheVelocityOfTheBaseInTheBase) {
   EXPECT_GT(fastest, 0.3);
 }
 
+// With one physics step a control period: the sum of |τ Δq| over steps and joints, and no more while
+// nothing moves.
+TEST_F(Referee, AddsUpTheWorkOfTheJointsWhetherTheyDriveOrBrake) {
+  params_.base_on_stand = true;
+  params_.physics_dt = params_.control_dt;
+  World world(robot_, {}, params_, stance());
+  const LegArray<LegJoints> lifted = stance(Vector3(0.0, 0.0, 0.08));
+  double work = 0.0;
+  Measurement before, after;
+  for (const auto& target : {lifted, stance()})
+    for (int k = 0; k < 200; ++k) {
+      static_cast<void>(world.read(before));
+      world.write({target, kZero, kZero});
+      static_cast<void>(world.read(after));
+      for (LegId leg = 0; leg < 6; ++leg)
+        work += world.efforts()[leg].cwiseProduct(after.q[leg] - before.q[leg]).cwiseAbs().sum();
+    }
+  EXPECT_GT(work, 1.0);
+  EXPECT_NEAR(world.truth().work, work, 1e-9 * work);
+}
+
 }  // namespace
 }  // namespace hexagait::sim3d

@@ -55,6 +55,8 @@ bool is_random(TerrainKind kind) {
   return kind == boxes || kind == steps || kind == rubble || kind == ice || kind == arena;
 }
 
+bool has_height(TerrainKind kind) { return kind != TerrainKind::ice && kind != TerrainKind::soft; }
+
 // Steps up and down again: level, as a number of steps, of the n-th step ahead.
 int stairs_level(int n) {
   const int k = n % (2 * (kFlight + kLanding));
@@ -70,6 +72,7 @@ std::pair<double, double> bounds(const TerrainPart& part) {
   switch (part.kind) {
     case TerrainKind::flat:
     case TerrainKind::ice:
+    case TerrainKind::soft:
       return {0.0, 0.0};
     case TerrainKind::stairs:
       return {std::min(0.0, kFlight * size), std::max(0.0, kFlight * size)};
@@ -85,6 +88,11 @@ std::pair<double, double> bounds(const TerrainPart& part) {
     default:
       return {std::min(0.0, size), std::max(0.0, size)};
   }
+}
+
+std::pair<double, double> bounds(double size, const Heightmap& map) {
+  const double a = size * map.lowest(), b = size * map.highest();
+  return {std::min({0.0, a, b}), std::max({0.0, a, b})};
 }
 
 }  // namespace
@@ -114,14 +122,15 @@ Terrain::Terrain(const TerrainSpec& spec, std::uint64_t seed) : spec_(spec), see
     if (part.kind == TerrainKind::flat) continue;
     layers_.push_back(layer(part, draws));
     if (is_random(part.kind)) draws += kDrawsPerCell;
-    const auto [lowest, highest] = bounds(part);
+    const auto [lowest, highest] =
+        part.kind == TerrainKind::heightmap ? bounds(part.size, layers_.back().map) : bounds(part);
     lowest_ += lowest;
     highest_ += highest;
     if (chooses_cells(part.kind)) spacing_ = std::min(spacing_, part.extent / kSamplesPerCell);
   }
   int high = 0, of_cells = 0;
   for (const Layer& one : layers_) {
-    if (one.part.kind == TerrainKind::ice) continue;
+    if (!has_height(one.part.kind)) continue;
     ++high;
     if (!has_cells(one.part.kind)) continue;
     ++of_cells;
@@ -154,6 +163,9 @@ Terrain::Layer Terrain::layer(const TerrainPart& part, std::uint32_t draws) {
       result.across = angle.s / angle.c * direction.s;
       break;
     }
+    case TerrainKind::heightmap:
+      result.map = load_heightmap(part.file);
+      break;
     case TerrainKind::ice:
       result.cells = {{kIce, 0.0}, {kIce, 0.0}, kPad};
       break;
@@ -231,9 +243,17 @@ double Terrain::rubble(const Layer& layer, double x, double y) const {
          rise_y * ((y - of_y.edge(j)) / half - 1.0);
 }
 
+// The picture lies ahead of the pad, its left edge at the pad's end, its middle row straight ahead.
+double Terrain::on_map(const Layer& layer, double x, double y) {
+  if (x < kPad) return 0.0;
+  const double pixel = layer.part.extent / layer.map.columns;
+  return layer.part.size *
+         layer.map.at((x - kPad) / pixel - 0.5, 0.5 * (layer.map.rows - 1) - y / pixel);
+}
+
 double Terrain::height(const Layer& layer, double x, double y) const {
   constexpr double kTurn = 2.0 * std::numbers::pi;
-  const auto& [kind, size, extent] = layer.part;
+  const auto& [kind, size, extent, file] = layer.part;
   const double ahead = std::max(0.0, x - kPad);
   switch (kind) {
     case TerrainKind::slope:
@@ -249,6 +269,8 @@ double Terrain::height(const Layer& layer, double x, double y) const {
     }
     case TerrainKind::rubble:
       return rubble(layer, x, y);
+    case TerrainKind::heightmap:
+      return on_map(layer, x, y);
     default:
       return level(layer, layer.cells.x.index(x), layer.cells.y.index(y));
   }
@@ -282,6 +304,14 @@ double Terrain::friction_at(double x, double y, double otherwise) const {
     if (!pad && random(one, 0, i, j) < 0.5) return one.part.size;
   }
   return otherwise;
+}
+
+std::optional<Terrain::Softness> Terrain::softness() const {
+  std::optional<Softness> softest;
+  for (const Layer& one : layers_)
+    if (one.part.kind == TerrainKind::soft && (!softest || one.part.size < softest->stiffness))
+      softest = Softness{one.part.size, one.part.extent};
+  return softest;
 }
 
 double Terrain::sample(int a, int b) const {

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <hexagait/sim3d/heightmap.hpp>
 #include <hexagait/sim3d/terrain_spec.hpp>
+#include <optional>
 #include <vector>
 
 namespace hexagait::sim3d {
@@ -33,10 +35,17 @@ struct CellAxis {
 /// square ends two of their cells from the origin. Coordinates may be up to 10⁸ cells.
 class Terrain {
  public:
+  /// By what the ground gives way under a foot; several contacts of one foot share it.
+  struct Softness {
+    double stiffness = 0.0;  ///< [N/m]
+    double damping = 0.0;    ///< [N s/m]
+  };
+
   /// What the ground is made of.
   enum class Surface : std::uint8_t { plane, cells, samples };
 
-  /// @throws InvalidInput  if a dimension is out of the range that parse_terrain() accepts
+  /// @throws InvalidInput  if a dimension is out of the range that parse_terrain() accepts, or a
+  ///         heightmap's file can't be read
   Terrain(const TerrainSpec& spec, std::uint64_t seed);
 
   [[nodiscard]] const TerrainSpec& spec() const { return spec_; }
@@ -52,6 +61,9 @@ class Terrain {
 
   /// Coefficient of friction at (x, y), if it is `otherwise` where there is no ice.
   [[nodiscard]] double friction_at(double x, double y, double otherwise) const;
+
+  /// That of soft ground; of several soft parts the least stiff. Nothing: the ground is rigid.
+  [[nodiscard]] std::optional<Softness> softness() const;
 
   /// The cells of a terrain of cells; of others, those of boxes.
   [[nodiscard]] const CellAxis& x_axis() const { return cells_.x; }
@@ -80,6 +92,7 @@ class Terrain {
     Cells cells;
     std::uint32_t draws = 0;           ///< the first of its numbers of RandomStream::terrain
     double along = 0.0, across = 0.0;  ///< a slope's rise per metre in x and in y
+    Heightmap map = {};
   };
 
   [[nodiscard]] static Layer layer(const TerrainPart& part, std::uint32_t draws);
@@ -87,6 +100,7 @@ class Terrain {
   [[nodiscard]] double level(const Layer& layer, int i, int j) const;
   [[nodiscard]] double arena(const Layer& layer, int i, int j) const;
   [[nodiscard]] double rubble(const Layer& layer, double x, double y) const;
+  [[nodiscard]] static double on_map(const Layer& layer, double x, double y);
   [[nodiscard]] double height(const Layer& layer, double x, double y) const;
   [[nodiscard]] double heightfield_at(double x, double y) const;
 

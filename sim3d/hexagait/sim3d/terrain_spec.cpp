@@ -128,7 +128,20 @@ constexpr std::array kKinds = {
               {"the edge", Dimension::length, 2.0, kAny, "2 m or more"},
               {"the share", Dimension::number, 0.0, 0.5, "0 to 0.5"},
               0.04,
-              false}};
+              false},
+    KindWords{TerrainKind::heightmap,
+              {"heightmap:H,LENGTH,FILE",
+               "a grey PNG or a table (CSV), ahead, so long; white, or 1, is H high",
+               "heightmap:20cm,4m,dunes.png", true},
+              kSignedHeight,
+              {"the length", Dimension::length, 0.1, kAny, "0.1 m or more"}},
+    KindWords{
+        TerrainKind::soft,
+        {"soft:K,D", "feet sink in by their load / K [N/m]; damping 1000 N s/m", "soft:20000"},
+        {"the stiffness", Dimension::number, 100.0, 1e8, "100 to 1e8 N/m"},
+        {"the damping", Dimension::number, 0.0, 1e7, "0 to 1e7 N s/m"},
+        1000.0,
+        false}};
 
 const KindWords& words(TerrainKind kind) {
   return *std::ranges::find(kKinds, kind, &KindWords::kind);
@@ -150,6 +163,21 @@ double read(std::string_view text, std::string_view value, const Measure& measur
   return number;
 }
 
+// What follows the size of a kind that reads a file: extent and file.
+TerrainPart with_file(std::string_view text, TerrainPart part, const KindWords& known,
+                      std::string_view values) {
+  const std::size_t first = values.find(',');
+  const std::size_t second = first == std::string_view::npos ? first : values.find(',', first + 1);
+  if (second == std::string_view::npos || second + 1 == values.size())
+    refuse(text,
+           "its length or its file is missing: write " + std::string(known.description.example));
+  part.extent = read(text, values.substr(first + 1, second - first - 1), known.extent);
+  part.file = values.substr(second + 1);
+  if (part.file.find_first_of(",\"\n") != std::string::npos)
+    refuse(text, "the name of the file must not have commas, quotes or line breaks");
+  return part;
+}
+
 // `text` is the whole terrain, for messages.
 TerrainPart parse_part(std::string_view text, std::string_view part) {
   const std::size_t colon = part.find(':');
@@ -162,10 +190,13 @@ TerrainPart parse_part(std::string_view text, std::string_view part) {
   }
   if (colon == std::string_view::npos) refuse(text, std::string(known->size.name) + " is missing");
 
-  const std::string_view values = part.substr(colon + 1);
+  std::string with_commas(part.substr(colon + 1));
+  std::ranges::replace(with_commas, ';', ',');
+  const std::string_view values = with_commas;
   const std::size_t comma = values.find(',');
-  TerrainPart result{known->kind, read(text, values.substr(0, comma), known->size),
-                     known->usual_extent};
+  TerrainPart result{
+      known->kind, read(text, values.substr(0, comma), known->size), known->usual_extent, {}};
+  if (known->description.reads_file) return with_file(text, result, *known, values);
   if (comma == std::string_view::npos) return result;
   if (known->extent.name.empty())
     refuse(text, std::string(name) + " takes one number, " + std::string(known->size.name));
@@ -193,7 +224,7 @@ std::string shortest(double value) {
 }  // namespace
 
 TerrainSpec::TerrainSpec(TerrainKind kind, double size) {
-  if (kind != TerrainKind::flat) parts = {{kind, size, words(kind).usual_extent}};
+  if (kind != TerrainKind::flat) parts = {{kind, size, words(kind).usual_extent, {}}};
 }
 
 double TerrainSpec::roughness() const {
@@ -231,6 +262,7 @@ std::string to_string(const TerrainSpec& spec) {
     if (!text.empty()) text += '+';
     text.append(kind.name()).append(":").append(shortest(part.size));
     if (part.extent != kind.usual_extent) text.append(",").append(shortest(part.extent));
+    if (kind.description.reads_file) text.append(",").append(part.file);
   }
   return text.empty() ? std::string(kFlat.syntax) : text;
 }

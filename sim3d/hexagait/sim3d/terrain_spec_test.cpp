@@ -126,7 +126,7 @@ TEST(KnownTerrains, AreAllUnderstoodAndComplete) {
     EXPECT_EQ(known.syntax.substr(0, known.syntax.find(':')),
               known.example.substr(0, known.example.find(':')));
   }
-  EXPECT_EQ(kinds.size(), static_cast<std::size_t>(Kind::arena) + 1) << "arena is the last";
+  EXPECT_EQ(kinds.size(), static_cast<std::size_t>(Kind::soft) + 1) << "soft is the last";
 }
 
 }  // namespace

@@ -236,6 +236,7 @@ TEST(Terrain, RisesInTheDirectionOfTheSlope) {
 TEST(Terrain, OfEveryKindIsFlatUnderTheStartAndWithinItsBounds) {
   RandomSequence random{.seed = 1};
   for (const TerrainDescription& known : known_terrains()) {
+    if (known.reads_file) continue;
     const Terrain terrain(parse_terrain(known.example), 3);
     double lowest = 1.0, highest = -1.0;
     for (int k = 0; k < 2000; ++k) {

@@ -101,6 +101,7 @@ class World::Impl {
     for (LegId leg = 0; leg < model.num_legs(); ++leg)
       num_joints_[leg] = model.legs[leg].num_joints();
     truth_.feet = LegArray<FootTruth>(model.num_legs());
+    truth_.work = 0.0;
     record_motion();
     up_ = {0.0, 0.0, params.gravity};
     acceleration_B_ = truth_.X_WB.R.transpose() * up_;
@@ -144,6 +145,7 @@ class World::Impl {
   void step(double to_come) {
     const long complaints = detail::solver_complaints();
     contacts_.find(ground_, robot_.shapes());
+    const LegArray<LegJoints> q = robot_.servos().q();
     robot_.step(to_come, push_steps_ > 0 ? push_ : Vector3::Zero());
     if (push_steps_ > 0) --push_steps_;
     truth_.solver_complaints += detail::solver_complaints() > complaints ? 1 : 0;
@@ -152,6 +154,7 @@ class World::Impl {
 
     truth_.time = ++steps_ * params_.physics_dt;
     record_motion();
+    record_work(q);
     record_contacts(contacts_.touches(), params_.physics_dt, truth_);
     feel_contacts();
   }
@@ -167,6 +170,14 @@ class World::Impl {
     truth_.X_WB = robot_.X_WB();
     truth_.V_WB = robot_.V_WB();
     for (LegId leg = 0; leg < truth_.feet.size(); ++leg) truth_.feet[leg].p_WF = robot_.p_WF(leg);
+  }
+
+  // @param q  before the step
+  void record_work(const LegArray<LegJoints>& q) {
+    const LegArray<LegJoints>&after = robot_.servos().q(), &effort = efforts();
+    for (LegId leg = 0; leg < q.size(); ++leg)
+      for (int k = 0; k < num_joints_[leg]; ++k)
+        truth_.work += std::abs(effort[leg][k] * (after[leg][k] - q[leg][k]));
   }
 
   void feel_contacts() {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <cmath>
 #include <hexagait/recording/genghis.hpp>
 #include <hexagait/recording/simulation.hpp>
 #include <hexagait/sim2d/slice_model.hpp>
@@ -16,6 +17,9 @@ namespace {
 std::string optional(const std::optional<int>& value) {
   return value ? std::to_string(*value) : "";
 }
+
+// Empty if it was not measured.
+std::string number(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
 
 // How a walk of either simulator ended.
 Outcome outcome(const walk::Summary& s, const Limits& limits) {
@@ -131,7 +135,9 @@ const std::vector<Column> kOdeColumns =
                   {"lateral_max_m", "largest lateral error", "m"},
                   {"heading_max_rad", "largest heading error", "rad"},
                   {"slip_mean_m", "slip per stance", "m"},
+                  {"slip_p95_m", "slip per stance, 95th percentile", "m"},
                   {"margin_min_m", "least stability margin", "m"},
+                  {"cost_of_transport", "cost of transport", ""},
                   {"neighbour_flight_s", "two neighbours off the ground", "s"},
                   {"contact_losses", "contact losses", ""},
                   {"real_contact_losses", "real contact losses", ""}});
@@ -148,10 +154,11 @@ std::string run_ode(const TrialConfig& config) {
   if (config.limits.distance > 0.0) simulation.trial.distance = config.limits.distance;
 
   const walk::Summary s = recording::simulate(*config.robot, simulation);
-  return walk_row(s, config.limits,
-                  fmt::format("{},{},{},{},{},{},{},{}", s.lateral_mean, s.lateral_max,
-                              s.heading_max, s.slip_mean, s.margin_min, s.neighbour_flight,
-                              s.contact_losses, s.real_contact_losses));
+  return walk_row(
+      s, config.limits,
+      fmt::format("{},{},{},{},{},{},{},{},{},{}", s.lateral_mean, s.lateral_max, s.heading_max,
+                  s.slip_mean, number(s.slip_p95), s.margin_min, number(s.cost_of_transport),
+                  s.neighbour_flight, s.contact_losses, s.real_contact_losses));
 }
 
 // ---- all of them --------------------------------------------------------------------------------
@@ -168,6 +175,7 @@ Ground genghis_ground(const std::string& text) {
 
 Ground ode_ground(const std::string& text) {
   const sim3d::TerrainSpec spec = sim3d::parse_terrain(text);
+  static_cast<void>(sim3d::Terrain(spec, 1));  // its file can be read
   return {to_string(spec), spec.roughness()};
 }
 

@@ -25,8 +25,10 @@ std::uint64_t num_groups(const Sweep& sweep) {
 std::string grid_cells(const Sweep& sweep, std::uint64_t k) {
   const GridPoint at = grid_point(sweep, k);
   const Ground& ground = sweep.terrains[at.terrain];
+  std::string terrain = ground.terrain;
+  std::ranges::replace(terrain, ',', ';');  // which the terrain grammar reads as well
   return fmt::format("{},{},{},{},{},{},{},", k, to_string(sweep.controllers[at.controller]),
-                     sweep.robots[at.robot].name, sweep.plants[at.plant].name, ground.terrain,
+                     sweep.robots[at.robot].name, sweep.plants[at.plant].name, terrain,
                      ground.roughness, seed(sweep, at));
 }
 

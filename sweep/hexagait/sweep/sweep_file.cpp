@@ -81,10 +81,16 @@ class SweepReader {
   }
 
   void read_controllers() {
-    const std::vector<std::string> known = {"free", "unadjusted", "literal", "tripod", "wave:0.75"};
+    const std::vector<std::string> known = {"free",   "unadjusted", "literal",
+                                            "tripod", "clocked",    "wave:0.75"};
     for (const YamlField& item : list("controllers", "[free, tripod]")) {
       const auto choice = gait_state::parse_gait_choice(yaml_.node(item.node).text);
-      if (choice)
+      if (choice && choice->open_loop && sweep_.engine != Engine::ode)
+        yaml_.refuse(item.mark,
+                     fmt::format("the simulator '{}' has no 'clocked'; only ode has sensors to do "
+                                 "without",
+                                 to_string(sweep_.engine)));
+      else if (choice)
         add_once(item, "controller", sweep_.controllers, *choice,
                  [](const auto& c) { return to_string(c); });
       else

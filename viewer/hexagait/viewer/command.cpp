@@ -123,7 +123,7 @@ Command twist(const Message& m) {
 Command gait(const Message& m) {
   m.only({"gait"});
   const auto choice = gait_state::parse_gait_choice(m.word("gait"));
-  if (!choice || choice->adjustment != gait_state::Adjustment::latched)
+  if (!choice || choice->adjustment != gait_state::Adjustment::latched || choice->open_loop)
     m.refuse("gait", "it must be free, tripod or wave:BETA with BETA from 0.5 to less than 1");
   return ChangeGait{choice->stepper};
 }
@@ -133,6 +133,9 @@ Command restart(const Message& m) {
   Restart result;
   if (m.has("robot")) result.robot = m.word("robot");
   if (m.has("terrain")) result.terrain = sim3d::parse_terrain(m.word("terrain"));
+  if (result.terrain && std::ranges::any_of(result.terrain->parts,
+                                            [](const auto& part) { return !part.file.empty(); }))
+    m.refuse("terrain", "it must not name a file; files are named where the walk is started");
   if (result.terrain && result.terrain->roughness() > kMaxTerrain)
     m.refuse("terrain", fmt::format("its height must be at most {} m", kMaxTerrain));
   if (m.has("seed")) result.seed = m.count("seed", 0, 1ULL << 53U);

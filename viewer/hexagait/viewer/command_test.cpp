@@ -113,6 +113,11 @@ TEST(Command, RefusesWhatIsOutOfRange) {
   EXPECT_THAT(error_of(R"({"type":"gait","gait":"unadjusted"})"), HasSubstr("free, tripod"));
   EXPECT_THAT(error_of(R"({"type":"restart","terrain":"boxes:2"})"), HasSubstr("at most 0.5 m"));
   EXPECT_THAT(error_of(R"({"type":"restart","terrain":"/etc/passwd"})"), HasSubstr("unknown kind"));
+  EXPECT_THAT(error_of(R"({"type":"restart","terrain":"heightmap:0.1,1m,/etc/passwd"})"),
+              HasSubstr("must not name a file"));
+  EXPECT_THAT(error_of(R"({"type":"restart","terrain":"boxes:5cm+heightmap:0.1,1m,a.png"})"),
+              HasSubstr("must not name a file"));
+  EXPECT_THAT(error_of(R"({"type":"gait","gait":"clocked"})"), HasSubstr("free, tripod"));
   EXPECT_THAT(error_of(R"({"type":"restart","seed":-1})"), HasSubstr("whole number"));
 }
 

@@ -82,11 +82,12 @@ void add_points(const sim3d::Terrain& terrain, const std::vector<double>& x,
 Json terrains() {
   Json list = Json::array();
   for (const sim3d::TerrainDescription& known : sim3d::known_terrains())
-    list.push_back(
-        {{"syntax", known.syntax},
-         {"meaning", known.meaning},
-         {"example", known.example},
-         {"height", sim3d::parse_terrain(std::string(known.example)).roughness() > 0.0}});
+    if (!known.reads_file)  // a page names no files
+      list.push_back(
+          {{"syntax", known.syntax},
+           {"meaning", known.meaning},
+           {"example", known.example},
+           {"height", sim3d::parse_terrain(std::string(known.example)).roughness() > 0.0}});
   return list;
 }
 

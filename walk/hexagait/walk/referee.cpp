@@ -55,7 +55,9 @@ Referee::Referee(const RobotModel& model, const GroundTruth& truth, double contr
       lift_time_(model.num_legs(), 0.0),
       yaw_before_(start_.angle),
       not_standing_(model.num_legs(), 0.0),
-      not_stepping_(model.num_legs(), 0.0) {
+      not_stepping_(model.num_legs(), 0.0),
+      work_before_(truth.work),
+      work_(truth.work) {
   for (LegId i = 0; i < model.num_legs(); ++i) {
     outer_ = std::max(outer_, model.legs[i].p_BC.head<2>().norm());
     stances_[i] = {.stands = truth.feet[i].in_contact, .slip_before = truth.feet[i].slip};
@@ -74,6 +76,7 @@ void Referee::observe(const TickRecord& record, const GroundTruth& truth) {
   watch_rule1(record, truth);
   watch_progress(record);
   summary_.state_hash = state_hash(*model_, truth, record.measurement, summary_.state_hash);
+  work_ = truth.work;
   odometry_ = record.state.X_OB;
   truth_ = truth.X_WB;
   const double tilt = tilt_between(odometry_.R, truth_.R);
@@ -247,6 +250,8 @@ Summary Referee::summary() const {
   s.distance = distance();
   s.turned = turned_;
   s.speed = s.seconds > 0.0 ? s.distance / s.seconds : 0.0;
+  if (s.distance > 0.0)
+    s.cost_of_transport = (work_ - work_before_) / (model_->mass * kStandardGravity * s.distance);
   s.lateral_mean = lateral_ticks_ > 0 ? lateral_sum_ / static_cast<double>(lateral_ticks_) : 0.0;
   if (path_judge_) s.path = path_judge_->summary();
 

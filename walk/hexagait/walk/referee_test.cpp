@@ -87,6 +87,26 @@ TEST(Referee, AveragesTheDistanceFromTheCommandedLine) {
   EXPECT_NEAR(walk.referee.deviation().lateral, -0.003, 1e-12);
 }
 
+// 30 J before the walk do not count; then 120 J for 2 m with 20 kg: 120/(20 · 9.81 · 2) = 0.3058.
+TEST(Referee, DividesTheWorkByWeightAndWay) {
+  HandMadeWalk unknown;
+  unknown.truth.X_WB.p.x() = 1.0;
+  unknown.tick();
+  EXPECT_TRUE(std::isnan(unknown.referee.summary().cost_of_transport)) << "the world tells none";
+
+  RobotModel model = HandMadeWalk::six_legs();
+  model.mass = 20.0;
+  HandMadeWalk walk;
+  walk.truth.work = 30.0;
+  Referee referee(model, walk.truth, kDt, testing::round_params().referee);
+  referee.observe(walk.record, walk.truth);
+  EXPECT_TRUE(std::isnan(referee.summary().cost_of_transport)) << "without way";
+  walk.truth.X_WB.p.x() = 2.0;
+  walk.truth.work = 150.0;
+  referee.observe(walk.record, walk.truth);
+  EXPECT_NEAR(referee.summary().cost_of_transport, 0.3058, 1e-4);
+}
+
 // 1 m ahead, then 0.5 m crabbing to the left: 1.5 m of path, and not the metre that backing up to
 // the first line's start would take off.
 TEST(Referee, AddsUpTheDistanceOfAllCommands) {

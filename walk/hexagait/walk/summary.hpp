@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <hexagait/footstep_gen/tick_record.hpp>
 #include <hexagait/walk/path_judge.hpp>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,6 +56,10 @@ struct Summary {
   double margin_min = 0.0, margin_p5 = 0.0;
   double roll_max = 0.0, pitch_max = 0.0;     ///< [rad], absolute
   double height_min = 0.0, height_max = 0.0;  ///< of the base's origin [m]
+
+  /// Work of the joints per weight and way, ∫ Σ |τ q̇| dt / (m g d), with g = 9.81 m/s². NaN where the
+  /// world does not tell the work, or without way.
+  double cost_of_transport = std::numeric_limits<double>::quiet_NaN();
 
   int steps = 0;                          ///< lifts commanded
   std::optional<int> tripod_after_steps;  ///< see first_tripod_gait()

@@ -5,6 +5,7 @@
 #include <hexagait/gallery/gallery.hpp>
 #include <hexagait/paths/paths.hpp>
 #include <hexagait/pc04/pc04.hpp>
+#include <hexagait/rough/rough.hpp>
 #include <hexagait/sensitivity/sensitivity.hpp>
 
 namespace hexagait::experiments {
@@ -44,6 +45,7 @@ const std::vector<Experiment>& experiments() {
        true},
       {"path", "paths that are given: a figure of eight and a square, flat ground and boxes", path,
        true},
+      {"rough", "success and cost against the height of boxes, of four controllers", rough, true},
       {"sensitivity", "what each imperfection of a robot costs, and at which size it breaks",
        sensitivity},
       {"gallery", "every robot in robots/: flat ground and boxes", gallery, true},

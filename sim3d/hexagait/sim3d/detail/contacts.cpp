@@ -15,7 +15,10 @@ Vector3 Touch::slip_velocity() const {
 }
 
 Contacts::Contacts(dWorldID world, const WorldParams& params)
-    : world_(world), friction_(params.friction), joints_(dJointGroupCreate(0)) {
+    : world_(world),
+      h_(params.physics_dt),
+      friction_(params.friction),
+      joints_(dJointGroupCreate(0)) {
   surface_.mode = dContactApprox1 | dContactSoftERP | dContactSoftCFM;
   surface_.soft_erp = params.contact_erp;
   surface_.soft_cfm = params.contact_cfm;
@@ -28,11 +31,20 @@ void Contacts::find(Ground& ground, std::span<const RobotShape> shapes) {
   for (const RobotShape& shape : shapes) {
     const std::span room = std::span(places).first(kMostContacts - count_);
     const auto found = static_cast<std::size_t>(ground.collide(shape.geom.get(), room));
+    if (const auto soft = ground.terrain().softness(); soft && found > 0) give_way(*soft, found);
     for (const dContactGeom& place : room.first(found)) {
       surface_.mu = ground.terrain().friction_at(place.pos[0], place.pos[1], friction_);
       add(shape, place);
     }
   }
+}
+
+// The spring and damper F = K s + D ds/dt as a row of the solver, shared by the contacts of a shape:
+// ERP = h K/(h K + D), CFM = 1/(h K + D).
+void Contacts::give_way(const Terrain::Softness& soft, std::size_t contacts) {
+  const double gain = h_ * soft.stiffness + soft.damping;
+  surface_.soft_erp = h_ * soft.stiffness / gain;
+  surface_.soft_cfm = static_cast<double>(contacts) / gain;
 }
 
 std::span<const Touch> Contacts::touches() const { return std::span(touches_).first(count_); }

@@ -39,9 +39,11 @@ class Contacts {
   // A fallen robot has about 60; contacts beyond this number are ignored.
   static constexpr std::size_t kMostContacts = 128;
 
+  void give_way(const Terrain::Softness& soft, std::size_t contacts);
   void add(const RobotShape& shape, const dContactGeom& place);
 
   dWorldID world_;
+  double h_;         ///< physics step [s]
   double friction_;  ///< where there is no ice
   dSurfaceParameters surface_{};
   JointGroupPtr joints_;

@@ -44,6 +44,17 @@ ordered_json seeds(const Sweep& sweep) {
   return {{"number", sweep.num_seeds}, {"master", sweep.master_seed}};
 }
 
+// Hashes of the files that terrains read: with others the rows would be others.
+ordered_json files(const Sweep& sweep) {
+  ordered_json json;
+  if (sweep.engine != Engine::ode) return json;
+  for (const Ground& ground : sweep.terrains)
+    for (const sim3d::TerrainPart& part : sim3d::parse_terrain(ground.terrain).parts)
+      if (!part.file.empty())
+        json[part.file] = recording::hex(sim3d::load_heightmap(part.file).hash());
+  return json;
+}
+
 ordered_json without_shard(const std::string& header) {
   ordered_json json = ordered_json::parse(header);
   json.erase("shard");
@@ -82,6 +93,8 @@ std::string to_header(const Sweep& sweep, const Shard& shard) {
     for (const recording::PlantSetup& plant : sweep.plants)
       json["plants"][plant.name] = recording::json(plant);
   for (const Ground& ground : sweep.terrains) json["terrains"].push_back(ground.terrain);
+  const ordered_json read = files(sweep);
+  if (!read.is_null()) json["files"] = read;
   json["seeds"] = seeds(sweep);
   json["limits"] = limits(sweep);
   json["measure"] = sweep.measure;
