@@ -11,7 +11,8 @@ set(hexagait_foreign_libraries
     "PkgConfig::tinyxml2|hexagait_find_by_pkg_config(tinyxml2)|tinyxml2|libtinyxml2-dev"
     "PkgConfig::assimp|hexagait_find_by_pkg_config(assimp)|assimp|libassimp-dev"
     "PkgConfig::ode|hexagait_find_by_pkg_config(ode)|ode|libode-dev"
-    "PkgConfig::libwebsockets|hexagait_find_by_pkg_config(libwebsockets)|libwebsockets|libwebsockets-dev")
+    "PkgConfig::libwebsockets|hexagait_find_by_pkg_config(libwebsockets)|libwebsockets|libwebsockets-dev"
+    "PkgConfig::zlib|hexagait_find_by_pkg_config(zlib)|zlib|zlib1g-dev")
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 if(HEXAGAIT_ACTIONS OR HEXAGAIT_VERIFY)
@@ -37,6 +38,7 @@ if(HEXAGAIT_SIM3D)
 endif()
 if(HEXAGAIT_VIEWER)
   pkg_check_modules(libwebsockets REQUIRED IMPORTED_TARGET libwebsockets)
+  pkg_check_modules(zlib REQUIRED IMPORTED_TARGET zlib)
   if(HEXAGAIT_PAGE)
     find_program(HEXAGAIT_NODE NAMES node nodejs)
     find_program(HEXAGAIT_NPM npm)

@@ -12,7 +12,7 @@ kComponents=(controller urdf actions verify sim sim2d sim3d walk statistics figu
 declare -A kForeign=(
   [urdf]='tinyxml2 assimp' [actions]='fmt yaml-cpp' [verify]=fmt [sim2d]=box2d [sim3d]=ode
   [walk]='fmt yaml-cpp' [figures]=fmt [recording]='fmt yaml-cpp box2d ode tinyxml2 assimp'
-  [viewer]='fmt yaml-cpp box2d ode tinyxml2 assimp libwebsockets libcap'
+  [viewer]='fmt yaml-cpp box2d ode tinyxml2 assimp libwebsockets libcap zlib'
   [sweeps]='fmt yaml-cpp box2d ode tinyxml2 assimp')
 
 # hide_but LIBRARY…: prints options that hide all foreign libraries but these from find_package, and
@@ -56,7 +56,7 @@ check_combinations() {
       [[ $sim2d == OFF ]] || libraries+=(box2d)
       [[ $sim3d == OFF ]] || libraries+=(ode)
       [[ $figures == OFF ]] || libraries+=(Boost nlohmann_json)
-      [[ $viewer == OFF ]] || libraries+=(libwebsockets libcap)  # which libwebsockets.pc asks for
+      [[ $viewer == OFF ]] || libraries+=(libwebsockets libcap zlib)  # libcap: libwebsockets.pc asks for it
       mapfile -t hidden < <(hide_but "${libraries[@]}")
       rm -rf "$dir"
       configure "$dir" "${hidden[@]}" -DHEXAGAIT_URDF=$urdf -DHEXAGAIT_VERIFY=$urdf -DHEXAGAIT_MESHES=$meshes \
@@ -177,7 +177,7 @@ check_package() {
   (cd build/release && cpack -G DEB -B ../package)
   file=$(echo build/package/*.deb)
   depends=$(dpkg-deb -f "$file" Depends)
-  for package in libbox2d-dev libeigen3-dev libfmt-dev libode-dev libtinyxml2-dev libassimp-dev libyaml-cpp-dev libwebsockets-dev libc6; do
+  for package in libbox2d-dev libeigen3-dev libfmt-dev libode-dev libtinyxml2-dev libassimp-dev libyaml-cpp-dev libwebsockets-dev zlib1g-dev libc6; do
     [[ "$depends" == *"$package"* ]] || { printf 'no %s in: %s\n' "$package" "$depends"; return 1; }
   done
   [[ $(dpkg-deb -f "$file" Recommends) == gnuplot-nox ]]

@@ -172,6 +172,52 @@ describe("time", () => {
     await key("Space");
     await until(page, (f, tick) => !f.paused && f.tick > tick + 10, before.tick);
   });
+  test("← looks back at the poses before, frame by frame, and → comes back", async () => {
+    await key("Space");
+    await until(page, (f) => !f.paused);
+    await key("Space");
+    await until(page, (f) => f.paused);
+    const player = () => page.evaluate(() => window.hexagait.player());
+    const now = await frameOf(page), { position } = await player();
+    await key("ArrowLeft");
+    await until(page, (f, tick) => f.tick < tick, now.tick);
+    const before = await frameOf(page);
+    assert.notDeepEqual(before.legs.map(({ q }) => q), now.legs.map(({ q }) => q));
+    const { frame, drawn } = await page.evaluate(() => window.hexagait.feet());
+    frame.legs.forEach((leg, i) => assert.ok(Math.hypot(...leg.foot.map((v, j) => v - drawn[i][j])) < 1e-3));
+    await page.locator("#back").click();
+    assert.equal((await player()).position, position - 2);
+    await click("step");
+    await key("ArrowRight");
+    assert.deepEqual((await frameOf(page)).legs, now.legs);
+    await key("ArrowRight");  // at the end: one tick of the walk
+    await until(page, (f, tick) => f.tick === tick + 1, now.tick);
+    assert.ok((await player()).follows);
+  });
+  test("the slider looks back while the walk waits; End goes on with it", async () => {
+    await key("Space");
+    await until(page, (f, tick) => !f.paused && f.tick > tick, (await frameOf(page)).tick);
+    const { begin, end } = await page.evaluate(() => window.hexagait.player());
+    assert.ok(end - begin > 2, `${end - begin} s`);
+    await page.locator("#scrub").fill(String(Math.round(1000 * (end - 2))));
+    await until(page, (f, time) => f.time < time - 1, (await frameOf(page)).time);
+    assert.match(await page.locator("#state").textContent(), /^looks back/);
+    await page.waitForTimeout(400);
+    const waits = await page.evaluate(() => window.hexagait.player().end);
+    await page.waitForTimeout(500);
+    assert.equal(await page.evaluate(() => window.hexagait.player().end), waits);
+    await shot(page, "back");
+    await key("End");
+    await until(page, (f, time) => !f.paused && f.time > time, (await frameOf(page)).time + 2.2);
+    await page.waitForFunction(() => document.getElementById("clock").textContent === "now");
+  });
+  test("whoever steers is back at the walk that goes on", async () => {
+    await key("ArrowLeft");
+    await page.waitForFunction(() => !window.hexagait.player().follows);
+    await key("a");
+    await until(page, (f) => f.k > 0 && !f.paused);
+    assert.ok(await page.evaluate(() => window.hexagait.player().follows));
+  });
   test("the speed of time changes", async () => {
     await page.locator("#speed").selectOption("0.25");
     await until(page, (f) => f.factor < 0.35);
