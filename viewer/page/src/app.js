@@ -54,6 +54,7 @@ class App {
     link.on("closed", () => this.panels.showState("not connected", "bad"));
     link.on("replay", (bytes) => { link.end(); this.play(bytes); });
     this.watch(tape, {
+      paused: () => link.frame?.paused ?? false,
       pause: (on) => { if (link.mayHold) link.send({ type: "pause", on }); return link.mayHold; },
       step: () => link.send({ type: "step", ticks: 1 }),
       speed: (factor) => link.send({ type: "speed", factor }),

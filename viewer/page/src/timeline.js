@@ -8,7 +8,7 @@ const kFine = 1000;  // steps of the slider per second
 
 export class Timeline {
   /** @param player  what is seen
-   *  @param live    {pause(on), step(), speed(factor)} of a walk that goes on; null of a replay */
+   *  @param live    {paused(), pause(on), step(), speed(factor)} of a walk that goes on; null of a replay */
   constructor(player, live) {
     this.player = player;
     this.live = live;
@@ -19,6 +19,7 @@ export class Timeline {
     $("live").addEventListener("click", () => this.toNow());
   }
 
+  get paused() { return this.live?.paused() ?? false; }
   get isBack() { return !this.player.follows; }
 
   /** The walk waits while the person looks back, if it may be told to. */
@@ -73,7 +74,6 @@ export class Timeline {
 
   /** @param frame  that is seen */
   show(frame) {
-    this.paused = frame.paused;
     const { begin, end, position, tape } = this.player;
     const clock = this.player.follows ? end : tape.entry(position)?.clock ?? begin;
     const scrub = $("scrub"), last = Math.round(end * kFine), first = Math.round(begin * kFine), now = Math.round(clock * kFine);
