@@ -7,6 +7,7 @@
 //                                         Steering, panels, keys ──command──▶ Link
 import { chartColours, drawRing, GaitDiagram, kWindow, legAt, Strip } from "./charts.js";
 import { decodeFrame } from "./frame.js";
+import { Pad } from "./gamepad.js";
 import { Ground } from "./ground.js";
 import { Link } from "./link.js";
 import { Overlays, yaw } from "./overlays.js";
@@ -30,6 +31,7 @@ class App {
     this.world = new World($("world"));
     this.steering = new Steering((command) => { this.away = false; this.timeline?.toNow(); this.link.send(command); });
     this.panels = new Panels(this.link, this.steering);
+    this.pad = new Pad(this.steering, this.panels.acts);
     this.colours = chartColours();
     this.world.onScheme(() => { this.colours = chartColours(); this.build(); });
     this.addPointer();
@@ -227,6 +229,7 @@ class App {
     const now = performance.now();
     this.timeline?.advance(Math.min(0.25, (now - (this.drawnAt ?? now)) / 1000));
     this.drawnAt = now;
+    if (this.timeline?.live) this.pad.poll(now);
     if (this.frame && this.robot) {
       this.robot.move(this.frame);
       this.overlays.update(this.frame);
