@@ -6,6 +6,7 @@
 //     Link ──frame──▶ Tape ──▶ Player ──▶ Robot, Overlays, charts, panels
 //                                         Steering, panels, keys ──command──▶ Link
 import { chartColours, drawRing, GaitDiagram, kWindow, legAt, Strip } from "./charts.js";
+import { Countdown } from "./countdown.js";
 import { decodeFrame } from "./frame.js";
 import { Pad } from "./gamepad.js";
 import { Ground } from "./ground.js";
@@ -23,6 +24,7 @@ import { World } from "./world.js";
 
 const $ = (id) => document.getElementById(id);
 const kHiccup = 2000;  // silence after which a page that steered goes on by itself [ms]
+const kBegin = 0.1;    // of a scene [s]
 const kKept = 60;      // of a walk that goes on, to look back at [s]
 
 class App {
@@ -104,6 +106,8 @@ class App {
     if (now.scene === this.scene) {
       this.overlays.forget();
       this.makeCharts();
+      const whole = (entries[0] ?? now).time < kBegin;
+      this.countdown = whole ? new Countdown(this.names.length) : null;  // it counts from the beginning
       for (const { bytes } of entries) {
         const frame = decodeFrame(bytes);
         this.overlays.remember(frame);
@@ -123,6 +127,7 @@ class App {
     this.world.scene.add(this.robot.group, this.overlays.group);
     const names = this.scene.legs.map(({ name }) => name.slice(0, 3));
     this.names = names;
+    this.countdown = new Countdown(names.length);
     this.chosen = Math.min(this.chosen, names.length - 1);
     this.makeCharts();
     if (this.sized !== this.overlays.size) this.world.stepBack(this.sized = this.overlays.size);
@@ -155,6 +160,7 @@ class App {
   }
 
   chart(frame) {
+    this.countdown?.take(frame);
     this.diagram.take(frame);
     const speed = Math.hypot(frame.vx, frame.vy);
     this.strips[0].take(frame.time, speed);
@@ -248,6 +254,8 @@ class App {
     drawRing($("ring"), frame, this.names, this.colours, this.chosen);
     const sentence = why(frame, this.chosen, this.names);
     if ($("why").textContent !== sentence) $("why").textContent = sentence;
+    const left = this.countdown?.words(frame) ?? "";
+    if ($("countdown").textContent !== left) $("countdown").textContent = left;
     for (const strip of this.strips) strip.draw(this.colours);
     this.panels.showFrame(frame, this.world);
     this.timeline.show(frame);
