@@ -38,9 +38,10 @@ export class Countdown {
   words(frame) {
     const most = this.n / 2;
     if (frame.wave || frame.tripod || this.n % 2 || this.begun === null) return "";
-    if (this.taken !== null) return `Alternates after ${this.taken.toFixed(1)} step times; theory: below ${most}`;
+    if (this.taken !== null && this.taken >= most) return `Alternating after ${this.taken.toFixed(1)} step times`;
+    if (this.taken !== null) return `Alternating after ${this.taken.toFixed(1)} < ${most} step times`;
     if (!frame.moving) return "";
     const left = most - this.elapsed;
-    return left > 0 ? `Alternates within ${left.toFixed(1)} step times` : `Does not alternate after ${most}: its steps are not alike`;
+    return left > 0 ? `Alternates within ${left.toFixed(1)} step times` : `Over ${most} step times: steps are not alike`;
   }
 }
