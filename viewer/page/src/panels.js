@@ -103,6 +103,7 @@ export class Panels {
       if (timeline.player.playing) return ["plays", "good"];
       return [timeline.player.atEnd ? "at the end" : "paused", "held"];
     }
+    if (!this.link.open) return ["not connected", "bad"];
     if (timeline.isBack) return [timeline.player.playing ? "looks back, plays" : "looks back", "held"];
     if (frame.fell) return ["fell – Backspace begins again", "bad"];
     if (frame.fault) return [`stopped: ${kFaults[frame.fault]}`, "bad"];
