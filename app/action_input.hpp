@@ -25,7 +25,7 @@ struct ActionArguments {
   PlantArguments plant;          ///< of `run`
   bool json = false, quiet = false;
   bool preview = false, force = false;
-  std::string preview_plot, plot;
+  std::string preview_plot, plot, record, html;
 };
 
 /// What was typed, read.

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "arguments.hpp"
+#include "replay_options.hpp"
 #include "usage.hpp"
 
 namespace hexagait::app {
@@ -86,6 +87,8 @@ void add_run(CLI::App& app, ActionArguments& a) {
   run->add_option("--plot", a.plot, "Draw what happened: .png, .svg or .pdf")
       ->type_name("FILE")
       ->excludes(preview);
+  add_replay_files(*run, a.record, a.html);
+  for (const char* option : {"--record", "--html"}) run->get_option(option)->excludes(preview);
   run->add_flag("--force", a.force, "Run it although the check finds errors")->excludes(preview);
   run->add_flag("--quiet", a.quiet, "No progress and no warnings on stderr");
   group(*run, "Options of the run");

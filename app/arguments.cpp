@@ -206,6 +206,8 @@ void refuse_in_side_view(const WalkArguments& a) {
   refuse(!a.commands.empty(), "--commands", kStraight);
   refuse(!a.random_commands.empty(), "--random-commands", kStraight);
   refuse(!a.path.empty(), "--path", kStraight);
+  refuse(!a.record.empty() || !a.html.empty(), "--record or --html",
+         "the page is of three dimensions");
   refuse(!a.set.empty() || !a.params.empty(), "--set or --params", "its parameters are its own");
   refuse(!a.speed.empty(), "--speed", "its speed is its own");
   refuse(a.plant.given(), "--plant, or an option of it,", "its plant is ideal");

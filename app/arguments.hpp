@@ -29,7 +29,7 @@ struct WalkArguments {
   bool no_contacts = false, no_joint_feedback = false;
   PlantArguments plant;
   bool json = false, quiet = false;
-  std::string plot, trace, movie;
+  std::string plot, trace, movie, record, html;
 };
 
 /// What was typed, as a simulation.

@@ -13,6 +13,7 @@
 #include "action_options.hpp"
 #include "commands.hpp"
 #include "output.hpp"
+#include "replay_options.hpp"
 #include "steer_options.hpp"
 #include "sweep_command.hpp"
 #include "usage.hpp"
@@ -204,6 +205,7 @@ void add_verify(CLI::App& app, VerifyArguments& a) {
 struct Arguments {
   WalkArguments walk;
   SteerArguments steer;
+  ReplayArguments replay;
   ActionArguments run, check;
   ExperimentArguments experiment;
   ResultsArguments results;
@@ -223,6 +225,7 @@ void add_commands(CLI::App& app, Arguments& a) {
   app.footer("Each command has its own --help.");
   add_walk(app, a.walk);
   add_steer(app, a.steer);
+  add_replay(app, a.replay);
   add_run(app, a.run);
   add_check(app, a.check);
   add_experiment(app, a.experiment);
@@ -240,6 +243,7 @@ void add_commands(CLI::App& app, Arguments& a) {
 int run_command_of(const CLI::App& app, const Arguments& a) {
   if (app.got_subcommand("walk")) return walk_command(a.walk);
   if (app.got_subcommand("steer")) return steer_command(a.steer);
+  if (app.got_subcommand("replay")) return replay_command(a.replay);
   if (app.got_subcommand("run")) return run_command(a.run);
   if (app.got_subcommand("check")) return check_command(a.check);
   if (app.got_subcommand("experiment")) return experiment_command(a.experiment);

@@ -32,6 +32,15 @@ void write_output(const char* option, const OutputFile& file, const std::functio
     refuse_output(option, file, problem);
 }
 
+void write_text(const char* option, OutputFile& file, std::string_view text) {
+  write_output(option, file, [&] {
+    std::ofstream out = file.files.open(file.path.filename());
+    out << text;
+    out.close();
+    file.files.publish();
+  });
+}
+
 void refuse_output(const char* option, const OutputFile& file, const std::string& problem) {
   throw InvalidInput(
       fmt::format("{} is '{}', which can't be written: {}", option, file.path.string(), problem));

@@ -6,6 +6,7 @@
 #include <hexagait/figures/staged_files.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hexagait::app {
@@ -24,6 +25,8 @@ struct OutputFile {
 /// Writes the file that an option names.
 /// @throws InvalidInput  naming it and the reason if it can't be written
 void write_output(const char* option, const OutputFile& file, const std::function<void()>& write);
+/// The same of a file that is one text, which then is in its place.
+void write_text(const char* option, OutputFile& file, std::string_view text);
 [[noreturn]] void refuse_output(const char* option, const OutputFile& file,
                                 const std::string& problem);
 

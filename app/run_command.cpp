@@ -12,6 +12,7 @@
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "output_file.hpp"
+#include "replay_output.hpp"
 #include "step_progress.hpp"
 
 namespace hexagait::app {
@@ -64,7 +65,8 @@ int preview_command(const ActionArguments& arguments) {
 }
 
 // The first interrupt stops the action, so that the robot comes to a stance; the second ends all.
-walk::ActionSummary simulate(const ActionInput& input, double seconds, Figure& figure, bool quiet) {
+walk::ActionSummary simulate(const ActionInput& input, double seconds, Figure& figure,
+                             ReplayOutput& replay, bool quiet) {
   sim3d::WorldParams params = recording::world_params(input.plant, input.params.plant);
   params.seed = input.seed;
   params.start_height = input.start.height;
@@ -81,10 +83,15 @@ walk::ActionSummary simulate(const ActionInput& input, double seconds, Figure& f
   options.seconds = 2.0 * seconds + 60.0;  // more than any search for ground takes
 
   const std::atomic<int>& interrupts = count_interrupts();
+  recording::Simulation simulation;
+  simulation.seed = input.seed;
+  simulation.control_dt = params.control_dt;
+  replay.begin(input.robot, simulation);
   StepProgress progress(quiet);
   const auto observe = [&](const ActionRecord& record, const GroundTruth& truth) {
     progress.at(record.feedback);
     figure.observe(record, truth);
+    replay.observe(record, truth, world);
     if (interrupts > 0) runner.stop();
     return interrupts < 2;
   };
@@ -96,6 +103,7 @@ walk::ActionSummary simulate(const ActionInput& input, double seconds, Figure& f
 int run_command(const ActionArguments& arguments) {
   if (arguments.preview) return preview_command(arguments);
   Figure figure("--plot", arguments.plot);
+  ReplayOutput replay(arguments.record, arguments.html);
   const ActionInput input = action_input(arguments);
   ActionReport report{.input = &input, .ahead = preview(input), .summary = {}};
   const bool refused = has_errors(report.ahead) && !arguments.force;
@@ -106,10 +114,11 @@ int run_command(const ActionArguments& arguments) {
     return kFailed;
   }
 
-  report.summary = simulate(input, report.ahead.seconds, figure, arguments.quiet);
+  report.summary = simulate(input, report.ahead.seconds, figure, replay, arguments.quiet);
   report.interrupted = count_interrupts() > 0;
   print_out(arguments.json ? run_json(report) + "\n" : run_in_words(report));
   figure.draw(report, run_headline(report), "Simulated: the true paths");
+  replay.finish();
   if (report.interrupted) return kInterrupted;
   return report.summary.ok() ? kOk : kFailed;
 }

@@ -2,18 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/text/parse_number.hpp>
-#include <hexagait/viewer/page_files.hpp>
-#include <hexagait/viewer/server.hpp>
+#include <hexagait/viewer/session.hpp>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "commands.hpp"
-#include "interrupt.hpp"
 #include "output.hpp"
+#include "output_file.hpp"
+#include "page_server.hpp"
 #include "steer_options.hpp"
 
 namespace hexagait::app {
@@ -21,13 +19,6 @@ namespace {
 
 using viewer::Session;
 using viewer::SessionStatistics;
-
-int port(const std::string& text) {
-  const auto number = parse_number<int>(text);
-  if (number && 0 <= *number && *number <= 65535) return *number;
-  throw InvalidInput(fmt::format(
-      "--port is '{}'; it must be a whole number from 0 (any that is free) to 65535", text));
-}
 
 double speed(const std::string& text) {
   const auto number = parse_number<double>(text);
@@ -53,31 +44,6 @@ viewer::SessionOptions options(const SteerArguments& arguments) {
   return result;
 }
 
-// Raises `end` with Ctrl-C, or when the time is over.
-class End {
- public:
-  explicit End(double seconds)
-      : thread_([this, seconds, &interrupted = watch_interrupts()] {
-          const auto begin = viewer::Clock::now();
-          const std::chrono::duration<double> length(seconds);
-          while (!ended_ && !interrupted && viewer::Clock::now() - begin < length)
-            std::this_thread::sleep_for(std::chrono::milliseconds(50));
-          ended_ = true;
-        }) {}
-  ~End() {
-    ended_ = true;
-    thread_.join();
-  }
-  End(const End&) = delete;
-  End& operator=(const End&) = delete;
-
-  [[nodiscard]] const std::atomic<bool>& ended() const { return ended_; }
-
- private:
-  std::atomic<bool> ended_ = false;
-  std::thread thread_;
-};
-
 std::string in_print(const SessionStatistics& s, bool json) {
   if (json)
     return nlohmann::ordered_json{
@@ -90,22 +56,44 @@ std::string in_print(const SessionStatistics& s, bool json) {
                      s.fell ? "Fell after" : "Walked", s.seconds, s.path, s.frames, s.commands);
 }
 
-int serve(const SteerArguments& arguments, Session& session, double seconds) {
-  if (viewer::page_files().empty()) throw InvalidInput(fmt::format("steer: {}", viewer::kNoPage));
-  const std::string bind = arguments.bind == "localhost" ? "127.0.0.1" : arguments.bind;
-  viewer::Access access{.bind = bind, .port = port(arguments.port), .token = {}};
-  if (!access.is_loopback()) access.token = viewer::make_token();
-  viewer::Server server(std::move(access), session);
-  print_out(fmt::format("{}\n", server.url()));
-  if (!arguments.walk.quiet) fmt::print(stderr, "Open this address in a browser; Ctrl-C ends.\n");
-  const End end(seconds);
-  server.run(end.ended());
-  return kOk;
-}
+// What --record writes; what can't be written shows in the file's state.
+class Record {
+ public:
+  explicit Record(const std::string& name) : file_(output_file("--record", name, {".replay"})) {
+    if (!file_) return;
+    out_ = file_->files.open(file_->path.filename());
+    out_.exceptions(std::ios::goodbit);
+    writer_.emplace(out_);
+  }
+  [[nodiscard]] viewer::ReplayWriter* writer() { return writer_ ? &*writer_ : nullptr; }
 
-void wait(double seconds) {
-  const End end(seconds);
-  while (!end.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  /// @throws InvalidInput  if it could not be written
+  void finish() {
+    if (!file_) return;
+    writer_->finish();
+    write_output("--record", *file_, [&] {
+      out_.close();
+      if (!out_) refuse_output("--record", *file_, "write error");
+      file_->files.publish();
+    });
+  }
+
+ private:
+  std::optional<OutputFile> file_;
+  std::ofstream out_;
+  std::optional<viewer::ReplayWriter> writer_;
+};
+
+SessionStatistics steer(const SteerArguments& arguments, viewer::ReplayWriter* replay,
+                        double seconds) {
+  viewer::SessionOptions begin = options(arguments);
+  begin.replay = replay;
+  Session session(std::move(begin));
+  if (arguments.headless)
+    wait_for_end(seconds);
+  else
+    serve_page("steer", {arguments.port, arguments.bind, arguments.walk.quiet}, session, seconds);
+  return session.statistics();
 }
 
 }  // namespace
@@ -113,14 +101,11 @@ void wait(double seconds) {
 int steer_command(const SteerArguments& arguments) {
   const double seconds = arguments.walk.seconds.empty() ? std::numeric_limits<double>::infinity()
                                                         : time_limit(arguments.walk.seconds);
-  Session session(options(arguments));
-  if (arguments.headless)
-    wait(seconds);
-  else
-    serve(arguments, session, seconds);
-  const SessionStatistics statistics = session.statistics();
+  Record record(arguments.walk.record);
+  const SessionStatistics statistics = steer(arguments, record.writer(), seconds);
   if (arguments.walk.json || !arguments.walk.quiet)
     print_out(in_print(statistics, arguments.walk.json));
+  record.finish();
   return arguments.headless && statistics.fell ? kFailed : kOk;
 }
 

@@ -10,6 +10,7 @@ namespace {
 constexpr const char* kNotes = R"(
 The page at the address that is printed shows the robot and steers it. Keys: W S ahead, backwards;
 A D curve to the left, right; Q E crab to the left, right; X stop; Space pause; → one tick;
+← look back, up to a minute; End back to the walk;
 P push; R scramble the legs; Backspace begin again.
 
 Only programs of this machine can open the page. --bind another address, and a token is needed that
@@ -60,6 +61,10 @@ void add_steer(CLI::App& app, SteerArguments& a) {
   steer->add_flag("--headless", a.headless, "No page: only walk");
   steer->add_option("--seconds", a.walk.seconds, "End after so long; default: with Ctrl-C")
       ->type_name("TIME");
+  steer
+      ->add_option("--record", a.walk.record,
+                   "Write what the page is sent as a file for hexagait replay: .replay")
+      ->type_name("FILE");
   steer->add_flag("--json", a.walk.json, "At the end, print one JSON object");
   steer->add_flag("--quiet", a.walk.quiet, "Say nothing but the address");
   group(*steer, "Page");

@@ -17,6 +17,7 @@
 #include "output.hpp"
 #include "output_file.hpp"
 #include "progress.hpp"
+#include "replay_output.hpp"
 #include "words.hpp"
 
 namespace hexagait::app {
@@ -33,10 +34,12 @@ class Writer {
         plot_(output_file("--plot", arguments.plot, {".png", ".svg", ".pdf"})),
         movie_(output_file("--movie", arguments.movie, {".gif"})),
         trace_(output_file("--trace", arguments.trace, {".csv"})),
+        replay_(arguments.record, arguments.html),
         recording_(std::move(recording)) {
     if (plot_) add("--plot", *plot_, recording::walk_figure_files(plot_->path.stem()));
     if (movie_) add("--movie", *movie_, recording::movie_files(movie_->path.stem()));
     if (trace_) add("--trace", *trace_, {});
+    for (const auto& [option, file] : replay_.files()) add(option, *file, {});
     if (plot_ || movie_) figures::require_gnuplot();
     if (!trace_) return;
     rows_ = trace_->files.open(trace_->path.filename());
@@ -46,7 +49,14 @@ class Writer {
   // All files that there will be.
   [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
 
+  void begin(const recording::Simulation& simulation) { replay_.begin(robot_, simulation); }
+
   // What can't be written is told in the end: the walk goes on, and its summary is shown.
+  void observe(const footstep_gen::TickRecord& record, const GroundTruth& truth,
+               const walk::Referee& referee, const sim3d::World& world) {
+    observe(record, truth, referee);
+    replay_.observe(record, truth, referee, world);
+  }
   void observe(const footstep_gen::TickRecord& record, const GroundTruth& truth,
                const walk::Referee& referee) {
     if (plot_ || movie_) recording_.observe(record, truth, referee);
@@ -71,6 +81,7 @@ class Writer {
         draw_movie(movie_->files, movie_->path.stem(), recording_, robot_);
         movie_->files.publish();
       });
+    replay_.finish();
     if (!trace_) return;
     if (!problem_.empty()) refuse_output("--trace", *trace_, problem_);
     write_output("--trace", *trace_, [&] {
@@ -97,6 +108,7 @@ class Writer {
 
   const RobotModel& robot_;
   std::optional<OutputFile> plot_, movie_, trace_;
+  ReplayOutput replay_;
   std::map<std::filesystem::path, const char*> option_of_;
   std::vector<std::string> files_;
   Recording recording_;
@@ -129,18 +141,18 @@ int walk_command(const WalkArguments& arguments) {
                 genghis ? Recording(sim2d::Terrain2d(genghis->terrain, genghis->seed))
                         : Recording(sim3d::Terrain(walk.terrain, walk.seed)));
 
+  if (!genghis) writer.begin(walk);
   const std::atomic<bool>& interrupted = watch_interrupts();
   {
     Progress progress(walk.trial.seconds, Progress::Measure::simulated_seconds, arguments.quiet);
-    const auto observe = [&](const footstep_gen::TickRecord& record, const GroundTruth& truth,
-                             const walk::Referee& referee) {
+    const auto observe = [&](const footstep_gen::TickRecord& record, const auto&... seen) {
       progress.at(record.state.time);
-      writer.observe(record, truth, referee);
+      writer.observe(record, seen...);
     };
     if (genghis)
       take(report, recording::simulate(*genghis, observe, &interrupted));
     else
-      report.summary = simulate(robot, walk, observe, &interrupted);
+      report.summary = simulate_in_world(robot, walk, observe, &interrupted);
   }
   report.interrupted = interrupted;
   if (report.summary.stuck) report.hindrance = in_words(report.summary.hindrance, robot);

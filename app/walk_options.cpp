@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "walk_options.hpp"
 
+#include "replay_options.hpp"
 #include "usage.hpp"
 
 namespace hexagait::app {
@@ -22,6 +23,8 @@ Examples:
   hexagait walk --robot genghis2d --terrain step:10cm --plot genghis.png
                                                     Genghis II from the side
   hexagait walk --random-commands 5 --plot walk.svg --trace walk.csv
+  hexagait walk --terrain boxes:10cm --html walk.html
+                                                    a page that plays it, from disk
 
 Exit status: 0 walked to the end; 1 fell, stuck, fault, or did not arrive in time;
 2 bad usage or input, or a file or stdout that can't be written; 130 Ctrl-C.)";
@@ -129,6 +132,7 @@ void add_output(CLI::App& walk, WalkArguments& a) {
   walk.add_option("--movie", a.movie, "Draw the last 8 s from the side and from above: .gif")
       ->type_name("FILE");
   walk.add_option("--trace", a.trace, "Write a row per control tick: .csv")->type_name("FILE");
+  add_replay_files(walk, a.record, a.html);
 }
 
 }  // namespace

@@ -12,7 +12,8 @@ set(hexagait_foreign_libraries
     "PkgConfig::assimp|hexagait_find_by_pkg_config(assimp)|assimp|libassimp-dev"
     "PkgConfig::ode|hexagait_find_by_pkg_config(ode)|ode|libode-dev"
     "PkgConfig::libpng|hexagait_find_by_pkg_config(libpng)|libpng|libpng-dev"
-    "PkgConfig::libwebsockets|hexagait_find_by_pkg_config(libwebsockets)|libwebsockets|libwebsockets-dev")
+    "PkgConfig::libwebsockets|hexagait_find_by_pkg_config(libwebsockets)|libwebsockets|libwebsockets-dev"
+    "PkgConfig::zlib|hexagait_find_by_pkg_config(zlib)|zlib|zlib1g-dev")
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 if(HEXAGAIT_ACTIONS OR HEXAGAIT_VERIFY)
@@ -41,6 +42,7 @@ if(HEXAGAIT_PNG)
 endif()
 if(HEXAGAIT_VIEWER)
   pkg_check_modules(libwebsockets REQUIRED IMPORTED_TARGET libwebsockets)
+  pkg_check_modules(zlib REQUIRED IMPORTED_TARGET zlib)
   if(HEXAGAIT_PAGE)
     find_program(HEXAGAIT_NODE NAMES node nodejs)
     find_program(HEXAGAIT_NPM npm)

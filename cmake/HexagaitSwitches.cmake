@@ -46,19 +46,21 @@ endif()
 hexagait_switch(HEXAGAIT_PNG "Read heightmaps from PNG files; needs libpng" "${libpng_FOUND}" HEXAGAIT_SIM3D)
 hexagait_switch(HEXAGAIT_FIGURES "Traces, figures and statistics of walks; needs Boost and nlohmann-json"
                 ON HEXAGAIT_ACTIONS HEXAGAIT_SIM2D HEXAGAIT_SIM3D)
-# Without libwebsockets this is off by itself: hexagait steer then says what it lacks.
+# Without libwebsockets or zlib this is off by itself: hexagait steer then says what it lacks.
 if(HEXAGAIT_FIGURES AND NOT DEFINED HEXAGAIT_VIEWER)
   find_package(PkgConfig QUIET)
   if(PkgConfig_FOUND)
     pkg_check_modules(libwebsockets QUIET libwebsockets)
+    pkg_check_modules(zlib QUIET zlib)
   endif()
-  if(NOT libwebsockets_FOUND)
-    set(libwebsockets_FOUND OFF)
-    message(STATUS "No libwebsockets: HEXAGAIT_VIEWER (hexagait steer) is off")
+  set(viewer_can_be ON)
+  if(NOT (libwebsockets_FOUND AND zlib_FOUND))
+    set(viewer_can_be OFF)
+    message(STATUS "No libwebsockets or no zlib: HEXAGAIT_VIEWER (hexagait steer, replay) is off")
   endif()
 endif()
-hexagait_switch(HEXAGAIT_VIEWER "Walks to watch and steer, hexagait steer; needs libwebsockets"
-                "${libwebsockets_FOUND}" HEXAGAIT_FIGURES)
+hexagait_switch(HEXAGAIT_VIEWER "Walks to watch, steer and replay; needs libwebsockets and zlib"
+                "${viewer_can_be}" HEXAGAIT_FIGURES)
 option(HEXAGAIT_PAGE "The page of hexagait steer, if Node.js and npm are there" ON)
 hexagait_switch(HEXAGAIT_SWEEPS "Grids of trials by many processes" ON HEXAGAIT_FIGURES HEXAGAIT_URDF)
 hexagait_switch(HEXAGAIT_TOOLS "The hexagait command, the experiments and the examples; needs CLI11"

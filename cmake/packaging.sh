@@ -56,7 +56,7 @@ check_combinations() {
       [[ $sim2d == OFF ]] || libraries+=(box2d)
       [[ $sim3d == OFF ]] || libraries+=(ode)
       [[ $figures == OFF ]] || libraries+=(Boost nlohmann_json)
-      [[ $viewer == OFF ]] || libraries+=(libwebsockets libcap)  # which libwebsockets.pc asks for
+      [[ $viewer == OFF ]] || libraries+=(libwebsockets libcap zlib)  # libcap: libwebsockets.pc asks for it
       mapfile -t hidden < <(hide_but "${libraries[@]}")
       rm -rf "$dir"
       configure "$dir" "${hidden[@]}" -DHEXAGAIT_URDF=$urdf -DHEXAGAIT_VERIFY=$urdf -DHEXAGAIT_MESHES=$meshes \
@@ -177,7 +177,7 @@ check_package() {
   (cd build/release && cpack -G DEB -B ../package)
   file=$(echo build/package/*.deb)
   depends=$(dpkg-deb -f "$file" Depends)
-  for package in libbox2d-dev libeigen3-dev libfmt-dev libode-dev libpng-dev libtinyxml2-dev libassimp-dev libyaml-cpp-dev libwebsockets-dev libc6; do
+  for package in libbox2d-dev libeigen3-dev libfmt-dev libode-dev libpng-dev libtinyxml2-dev libassimp-dev libyaml-cpp-dev libwebsockets-dev zlib1g-dev libc6; do
     [[ "$depends" == *"$package"* ]] || { printf 'no %s in: %s\n' "$package" "$depends"; return 1; }
   done
   [[ $(dpkg-deb -f "$file" Recommends) == gnuplot-nox ]]

@@ -10,9 +10,9 @@ kRunPackages=(
   libyaml-cpp-dev                                               # the library
   libboost-math-dev libcli11-dev nlohmann-json3-dev gnuplot-nox  # the hexagait command
 )
-# hexagait steer: its server; and for its page Node.js with npm, where there is none of another source.
+# hexagait steer: its server, and replays; and for its page Node.js with npm, where there is none of another source.
 # Without the page all else is built and tested: Debian's npm brings some hundred packages.
-kSteerPackages=(libwebsockets-dev)
+kSteerPackages=(libwebsockets-dev zlib1g-dev)
 kPagePackages=()
 command -v node >/dev/null || kPagePackages+=(nodejs)
 command -v npm >/dev/null || kPagePackages+=(npm)

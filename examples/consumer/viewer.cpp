@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <hexagait/urdf/urdf.hpp>
 #include <hexagait/viewer/server.hpp>
+#include <hexagait/viewer/session.hpp>
 #include <thread>
 
 // Serves a walk for half a second.

@@ -52,6 +52,17 @@ walk::BodyAccess body_of(sim3d::World& world) {
 
 walk::Summary simulate(const RobotModel& robot, const Simulation& simulation,
                        const walk::Observer& observer, const std::atomic<bool>* stop) {
+  if (!observer) return simulate_in_world(robot, simulation, {}, stop);
+  return simulate_in_world(
+      robot, simulation,
+      [&](const auto& record, const auto& truth, const auto& referee, const sim3d::World&) {
+        observer(record, truth, referee);
+      },
+      stop);
+}
+
+walk::Summary simulate_in_world(const RobotModel& robot, const Simulation& simulation,
+                                const WorldObserver& observer, const std::atomic<bool>* stop) {
   const std::vector<walk::PartFault> faults = resolved(simulation.plant.parts, robot);
   sim3d::World world(with_loads(robot, faults), simulation.terrain, world_params(simulation),
                      walk::random_posture(robot, simulation.random_posture, simulation.seed));
@@ -62,7 +73,7 @@ walk::Summary simulate(const RobotModel& robot, const Simulation& simulation,
   footstep_gen::Walker walker(robot, walker_params(simulation));
 
   const auto watch = [&](const auto& record, const auto& truth, const auto& referee) {
-    if (observer) observer(record, truth, referee);
+    if (observer) observer(record, truth, referee, world);
     if (stop != nullptr && stop->load()) walker.emergency_stop();
   };
   walk::TrialOptions trial = simulation.trial;

@@ -37,6 +37,10 @@ void complete(Simulation& simulation, const RobotModel& robot);
 /// What faults do to the body of a robot in a world, which must outlive it. Pushes are level.
 [[nodiscard]] walk::BodyAccess body_of(sim3d::World& world);
 
+/// Called after every tick, with the world as well.
+using WorldObserver = std::function<void(const footstep_gen::TickRecord&, const GroundTruth&,
+                                         const walk::Referee&, const sim3d::World&)>;
+
 /// Walks it.
 /// @param observer  called after every tick
 /// @param stop      once true, the walker makes an emergency stop and the walk ends
@@ -44,5 +48,8 @@ void complete(Simulation& simulation, const RobotModel& robot);
 [[nodiscard]] walk::Summary simulate(const RobotModel& robot, const Simulation& simulation,
                                      const walk::Observer& observer = {},
                                      const std::atomic<bool>* stop = nullptr);
+[[nodiscard]] walk::Summary simulate_in_world(const RobotModel& robot, const Simulation& simulation,
+                                              const WorldObserver& observer,
+                                              const std::atomic<bool>* stop = nullptr);
 
 }  // namespace hexagait::recording

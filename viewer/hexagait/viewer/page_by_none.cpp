@@ -6,4 +6,6 @@ namespace hexagait::viewer {
 
 std::span<const PageFile> page_files() { return {}; }
 
+std::string_view page_alone() { return {}; }
+
 }  // namespace hexagait::viewer

@@ -17,6 +17,10 @@ struct PageFile {
 /// All of them; none if the library was built without Node.
 [[nodiscard]] std::span<const PageFile> page_files();
 
+/// A page that has all of these, and a replay, in itself: HTML with a place "@PATH@" for each file it
+/// takes and "@REPLAY@" for the replay, all as base64. Empty if there are none.
+[[nodiscard]] std::string_view page_alone();
+
 /// What to do for a page, if there is none.
 inline constexpr std::string_view kNoPage =
     "the page was not built: that needs Node.js and npm (Debian: apt-get install nodejs npm), and "

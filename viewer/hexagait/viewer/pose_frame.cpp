@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/viewer/pose_frame.hpp>
@@ -11,6 +12,9 @@ namespace hexagait::viewer {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers are sent as they lie in memory");
+
+// Of a quaternion: 0.03 mrad, and few digits, so that a file of frames is small.
+constexpr double kTurnStep = 0x1p-16;
 
 // Appends to a text.
 struct Writer {
@@ -55,6 +59,8 @@ void legs(Stream& stream, Set& set) {
 template <class Stream, class Rotation>
 void rotation(Stream& stream, Rotation& R) {
   Eigen::Quaterniond q(R);
+  if constexpr (!Stream::kReads)
+    for (double& c : q.coeffs()) c = std::round(c / kTurnStep) * kTurnStep;
   vector<float>(stream, q.coeffs());
   if constexpr (Stream::kReads) R = q.normalized().toRotationMatrix();
 }
@@ -85,6 +91,11 @@ void gait(Stream& stream, Frame& f) {
   for (auto* value : {&f.ccn, &f.type}) stream.template number<std::uint8_t>(*value);
   for (auto* set : {&f.priority, &f.may_step, &f.waits, &f.contact, &f.support, &f.urgent})
     legs(stream, *set);
+}
+
+// Last: where all else is does not depend on how many corners there are.
+template <class Stream, class Frame>
+void polygon(Stream& stream, Frame& f) {
   stream.template number<std::uint8_t>(f.polygon.size);
   if (f.polygon.size > kMaxLegs) throw InvalidInput("pose frame: a polygon of too many corners");
   for (int i = 0; i < f.polygon.size; ++i)
@@ -105,6 +116,12 @@ void leg(Stream& stream, Leg& one, int& joints) {
 
 }  // namespace
 
+LegArray<int> joint_counts(const RobotModel& robot) {
+  LegArray<int> joints(robot.num_legs());
+  for (LegId i = 0; i < joints.size(); ++i) joints[i] = robot.legs[i].num_joints();
+  return joints;
+}
+
 std::string encode(const PoseFrame& frame, const LegArray<int>& joints) {
   Writer writer;
   writer.bytes.reserve(1024);
@@ -118,10 +135,11 @@ std::string encode(const PoseFrame& frame, const LegArray<int>& joints) {
     int count = joints[i];
     leg(writer, frame.legs[i], count);
   }
+  polygon(writer, frame);
   return std::move(writer.bytes);
 }
 
-PoseFrame decode(std::string_view bytes) {
+PoseFrame decode_front(std::string_view& bytes) {
   Reader reader{bytes};
   PoseFrame frame;
   int version = 0, n = 0;
@@ -140,7 +158,14 @@ PoseFrame decode(std::string_view bytes) {
     int joints = 0;
     leg(reader, one, joints);
   }
-  if (!reader.bytes.empty()) throw InvalidInput("pose frame: bytes are left over");
+  polygon(reader, frame);
+  bytes = reader.bytes;
+  return frame;
+}
+
+PoseFrame decode(std::string_view bytes) {
+  const PoseFrame frame = decode_front(bytes);
+  if (!bytes.empty()) throw InvalidInput("pose frame: bytes are left over");
   return frame;
 }
 

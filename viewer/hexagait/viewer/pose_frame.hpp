@@ -32,15 +32,17 @@ struct LegFrame {
 ///
 ///     u8   version, number of legs, flags, fault        u32  scene, tick, holder
 ///     f64  time                                         f32  speed factor
-///     f32  base: position (3), quaternion x y z w       f32  velocity vx vy ωz, axes of the body
+///     f32  base: position (3), quaternion x y z w*      f32  velocity vx vy ωz, axes of the body
 ///     f32  heading: ρ, k, α, moving (0 or 1)            f32  turning centre (2), NaN if straight
 ///     f32  margin, centre of mass (3), lateral, path, slip speed, power
 ///     u16  raw, state: bit k set: ring relation k is <  u8   CCN before adjustment, type (0 none, A … D)
 ///     u16  legs: priority, may step, wait, in contact, support by the controller, urgent
-///     u8   corners of the support polygon;              f32  x, y of each
 ///     per leg: f32 foot (3), foothold (3), force, lag;  u8   phase, joints;  f32 each joint
+///     u8   corners of the support polygon;              f32  x, y of each
+///
+/// * in steps of 2⁻¹⁶
 struct PoseFrame {
-  static constexpr std::uint8_t kVersion = 1;
+  static constexpr std::uint8_t kVersion = 2;
   enum Flag : std::uint8_t {
     paused = 1,
     fell = 2,
@@ -78,11 +80,17 @@ struct PoseFrame {
   LegArray<LegFrame> legs;
 };
 
-/// @pre each leg has its number of joints in `joints`
+/// The number of joints of each leg.
+[[nodiscard]] LegArray<int> joint_counts(const RobotModel& robot);
+
+/// @param joints  see joint_counts()
 [[nodiscard]] std::string encode(const PoseFrame& frame, const LegArray<int>& joints);
 
 /// The inverse of encode(), to the precision of a float; for tests and for programs that listen.
 /// @throws InvalidInput  if the bytes are of another version, too few or too many
 [[nodiscard]] PoseFrame decode(std::string_view bytes);
+
+/// The same of a frame with more behind it: `bytes` is then what is left.
+[[nodiscard]] PoseFrame decode_front(std::string_view& bytes);
 
 }  // namespace hexagait::viewer

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <hexagait/text/invalid_input.hpp>
+#include <hexagait/viewer/command.hpp>
 #include <hexagait/viewer/page_files.hpp>
+#include <hexagait/viewer/scene.hpp>
 #include <hexagait/viewer/server.hpp>
 #include <map>
 #include <vector>
@@ -36,7 +38,7 @@ std::string token_of(lws* socket) {
 
 class Server::Impl {
  public:
-  Impl(Access access, Session& session) : access_(std::move(access)), session_(session) {
+  Impl(Access access, Host& host) : access_(std::move(access)), host_(host) {
     lws_set_log_level(0, nullptr);
     protocols_[0] = {"http", call, 0, kMaxMessage + 1, 0, this, 0};
     keep_alive_.secs_since_valid_ping = 5;
@@ -49,10 +51,10 @@ class Server::Impl {
     if (!context_) throw InvalidInput("the web server can't start: no memory, or no sockets");
     timer_.context = context_.get();
     listen();
-    session_.on_news([this] { lws_cancel_service(context_.get()); });
+    host_.on_news([this] { lws_cancel_service(context_.get()); });
   }
 
-  ~Impl() { session_.on_news(nullptr); }
+  ~Impl() { host_.on_news(nullptr); }
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
@@ -68,7 +70,7 @@ class Server::Impl {
  private:
   struct Client {
     ClientId id = 0;
-    Session::Seen seen;
+    Host::Seen seen;
     std::string incoming;
     bool too_long = false;
     std::vector<std::string> answers;  // of bounded number: see answer()
@@ -217,7 +219,7 @@ class Server::Impl {
 
   void enter(lws* socket) {
     Client& client = clients_[socket];
-    client.id = session_.enter();
+    client.id = host_.enter();
     client.answers = {hello_json(client.id)};
     lws_callback_on_writable(socket);
   }
@@ -225,7 +227,7 @@ class Server::Impl {
   void leave(lws* socket) {
     const auto found = clients_.find(socket);
     if (found == clients_.end()) return;
-    session_.leave(found->second.id);
+    host_.leave(found->second.id);
     clients_.erase(found);
   }
 
@@ -237,7 +239,7 @@ class Server::Impl {
     const std::size_t room = kMaxMessage + 1 - client.incoming.size();
     client.incoming.append(part.substr(0, room));
     if (lws_remaining_packet_payload(socket) != 0 || lws_is_final_fragment(socket) == 0) return;
-    answer(socket, client, session_.receive(client.id, client.incoming));
+    answer(socket, client, host_.receive(client.id, client.incoming));
     client.incoming.clear();
   }
 
@@ -261,15 +263,15 @@ class Server::Impl {
       lws_callback_on_writable(socket);
       return write(socket, text, LWS_WRITE_TEXT) ? 0 : -1;
     }
-    Session::Letter letter;
-    if (!session_.newer_than(client.seen, letter)) return 0;
-    const bool is_frame = letter.kind == Session::Mail::frame;
+    Host::Letter letter;
+    if (!host_.newer_than(client.seen, letter)) return 0;
+    const bool is_frame = letter.kind == Host::Mail::frame;
     if (!is_frame) lws_callback_on_writable(socket);
     return write(socket, letter.content, is_frame ? LWS_WRITE_BINARY : LWS_WRITE_TEXT) ? 0 : -1;
   }
 
   Access access_;
-  Session& session_;
+  Host& host_;
   std::array<lws_protocols, 2> protocols_{};
   lws_retry_bo_t keep_alive_{};
   std::map<lws*, Client> clients_;
@@ -279,8 +281,8 @@ class Server::Impl {
   std::unique_ptr<lws_context, Destroy> context_;  // last: its callbacks use all of the above
 };
 
-Server::Server(Access access, Session& session)
-    : impl_(std::make_unique<Impl>(std::move(access), session)) {}
+Server::Server(Access access, Host& host)
+    : impl_(std::make_unique<Impl>(std::move(access), host)) {}
 
 Server::~Server() = default;
 

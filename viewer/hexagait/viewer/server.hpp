@@ -4,23 +4,23 @@
 
 #include <atomic>
 #include <hexagait/viewer/access.hpp>
-#include <hexagait/viewer/session.hpp>
+#include <hexagait/viewer/host.hpp>
 #include <memory>
 #include <string>
 
 namespace hexagait::viewer {
 
-/// Serves the page by HTTP and a session by WebSocket (/ws). Poses are binary messages, all else is
-/// JSON text. A client gets the next message when it has taken the last one.
+/// Serves the page by HTTP, and a walk or a replay by WebSocket (/ws). Poses and replays are binary
+/// messages, all else is JSON text. A client gets the next message when it has taken the last one.
 class Server {
  public:
   static constexpr int kMostClients = 8;
 
   /// Listens from now on.
   /// @param access   port 0: any that is free
-  /// @param session  must outlive the server
+  /// @param host     must outlive the server
   /// @throws InvalidInput  if the address or the port can't be had, with the option that changes it
-  Server(Access access, Session& session);
+  Server(Access access, Host& host);
   ~Server();
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;

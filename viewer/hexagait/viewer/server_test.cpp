@@ -11,6 +11,7 @@
 #include <hexagait/urdf/urdf.hpp>
 #include <hexagait/viewer/page_files.hpp>
 #include <hexagait/viewer/server.hpp>
+#include <hexagait/viewer/session.hpp>
 
 namespace hexagait::viewer {
 namespace {

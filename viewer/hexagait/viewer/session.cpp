@@ -159,8 +159,7 @@ void Session::run(std::promise<void>& started) {
 void Session::begin(const WalkStart& start) {
   walk_ = nullptr;  // of two worlds at once there is no need
   walk_ = std::make_unique<SteeredWalk>(options_.robot, options_.simulation, start);
-  joints_ = LegArray<int>(options_.robot.num_legs());
-  for (LegId i = 0; i < joints_.size(); ++i) joints_[i] = options_.robot.legs[i].num_joints();
+  joints_ = joint_counts(options_.robot);
   ++scene_;
   post(Mail::scene, scene_json(options_.robot, walk_->terrain(), options_.simulation.seed,
                                walk_->control_dt(), scene_, options_.robots));
@@ -316,6 +315,7 @@ void Session::publish() {
     statistics_.path = frame.path;
     statistics_.processor = processor_seconds();
   }
+  if (options_.replay != nullptr) options_.replay->frame(frame, joints_);
   post(Mail::frame, encode(frame, joints_));
   const auto now = Clock::now(), next = frame_due_ + seconds(1.0 / options_.frame_rate);
   frame_due_ = next > now ? next : now + seconds(1.0 / options_.frame_rate);
@@ -324,6 +324,8 @@ void Session::publish() {
 }
 
 void Session::post(Mail kind, std::string content) {
+  if (options_.replay != nullptr && (kind == Mail::scene || kind == Mail::ground))
+    options_.replay->text(content);
   const std::lock_guard lock(mutex_);
   Mailbox& box = mail_[static_cast<int>(kind)];
   ++box.number;

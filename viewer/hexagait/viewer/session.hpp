@@ -8,6 +8,8 @@
 #include <functional>
 #include <future>
 #include <hexagait/viewer/command.hpp>
+#include <hexagait/viewer/host.hpp>
+#include <hexagait/viewer/replay_file.hpp>
 #include <hexagait/viewer/scene.hpp>
 #include <hexagait/viewer/steered_walk.hpp>
 #include <hexagait/viewer/wheel.hpp>
@@ -33,6 +35,8 @@ struct SessionOptions {
   double frame_rate = 60.0;         ///< pose frames per second, at most [1/s]
   std::vector<std::string> robots;  ///< names that a client may ask for
   std::function<LoadedRobot(const std::string& name)> load;  ///< of these names
+  ReplayWriter* replay =
+      nullptr;  ///< if not null, takes what clients are sent; must outlive the session
 };
 
 /// How a session has gone so far.
@@ -53,38 +57,21 @@ struct SessionStatistics {
 /// What goes out lies in a mailbox that holds the newest of each kind: a client that is slow, or
 /// reads nothing, misses frames, delays nobody, and nothing grows. All functions may be called from
 /// any thread, and none waits for a tick.
-class Session {
+class Session : public Host {
  public:
-  enum class Mail : std::uint8_t { scene, ground, notice, frame };
-  static constexpr int kMailKinds = 4;
-  /// What a client has seen of each kind of mail.
-  struct Seen {
-    std::uint64_t number[kMailKinds] = {};
-  };
-  struct Letter {
-    Mail kind = Mail::frame;
-    std::string content;
-  };
-
   /// Starts to walk.
   /// @throws InvalidInput  if there is no such walk
   explicit Session(SessionOptions options);
-  ~Session();
-  Session(const Session&) = delete;
-  Session& operator=(const Session&) = delete;
+  ~Session() override;
 
-  /// @param news  called from the simulation's thread when there is mail; empty: nobody is called
-  void on_news(std::function<void()> news);
+  /// @param news  called from the simulation's thread
+  void on_news(std::function<void()> news) override;
 
-  [[nodiscard]] ClientId enter();
-  void leave(ClientId client);
-
-  /// Takes a message of a client. @returns what to answer: nothing, or an error_json()
-  [[nodiscard]] std::string receive(ClientId client, std::string_view message);
-
-  /// The next thing that this client has not seen, in its newest version: a scene before its ground
-  /// before frames. @returns false if there is none
-  [[nodiscard]] bool newer_than(Seen& seen, Letter& letter) const;
+  [[nodiscard]] ClientId enter() override;
+  void leave(ClientId client) override;
+  [[nodiscard]] std::string receive(ClientId client, std::string_view message) override;
+  /// In its newest version: a scene before its ground before frames.
+  [[nodiscard]] bool newer_than(Seen& seen, Letter& letter) const override;
 
   [[nodiscard]] SessionStatistics statistics() const;
 

@@ -4,7 +4,7 @@
 
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/recording/simulation.hpp>
-#include <hexagait/viewer/pose_frame.hpp>
+#include <hexagait/viewer/frame_maker.hpp>
 #include <hexagait/walk/faults.hpp>
 #include <hexagait/walk/reference_path.hpp>
 
@@ -61,10 +61,6 @@ class SteeredWalk {
  private:
   void settle();
   void observe();
-  [[nodiscard]] Vector3 centre_of_mass() const;
-  void show_heading(PoseFrame& frame) const;
-  void show_gait(PoseFrame& frame) const;
-  void show_legs(PoseFrame& frame) const;
 
   RobotModel robot_;
   recording::Simulation simulation_;
@@ -75,14 +71,10 @@ class SteeredWalk {
   Measurement measurement_;
   PlantStatus status_ = PlantStatus::fresh;
 
+  FrameMaker frames_;
   walk::ReferencePath path_;
   walk::ReferencePath::Deviation deviation_;
   heading_control::Heading followed_ = heading_control::Heading::stop();
-  PlanarPose last_place_;
-  LegArray<LegJoints> last_q_;
-  PlanarTwist velocity_;  // smoothed, axes of the body
-  double power_ = 0.0, way_ = 0.0;
-  std::uint32_t ticks_ = 0;
   bool fell_ = false;
 };
 

@@ -3,40 +3,119 @@
 //
 // The page: takes what the server tells, draws it, and sends what the person wants.
 //
-//     Link ──frame──▶ Robot, Overlays, charts, panels          Steering, panels, keys ──command──▶ Link
-import { chartColours, drawRing, GaitDiagram, legAt, Strip } from "./charts.js";
+//     Link ──frame──▶ Tape ──▶ Player ──▶ Robot, Overlays, charts, panels
+//                                         Steering, panels, keys ──command──▶ Link
+import { chartColours, drawRing, GaitDiagram, kWindow, legAt, Strip } from "./charts.js";
+import { Countdown } from "./countdown.js";
+import { decodeFrame } from "./frame.js";
+import { Pad } from "./gamepad.js";
 import { Ground } from "./ground.js";
 import { Link } from "./link.js";
 import { Overlays, yaw } from "./overlays.js";
 import { Panels } from "./panels.js";
+import { Player } from "./player.js";
+import { embedded, openReplay } from "./replay.js";
 import { Robot } from "./robot.js";
 import { Steering } from "./steering.js";
+import { Tape } from "./tape.js";
+import { Timeline } from "./timeline.js";
 import { why } from "./why.js";
 import { World } from "./world.js";
 
 const $ = (id) => document.getElementById(id);
 const kHiccup = 2000;  // silence after which a page that steered goes on by itself [ms]
+const kBegin = 0.1;    // of a scene [s]
+const kKept = 60;      // of a walk that goes on, to look back at [s]
 
 class App {
   constructor() {
     this.link = new Link();
     this.world = new World($("world"));
-    this.steering = new Steering((command) => { this.away = false; this.link.send(command); });
+    this.steering = new Steering((command) => { this.away = false; this.timeline?.toNow(); this.link.send(command); });
     this.panels = new Panels(this.link, this.steering);
+    this.pad = new Pad(this.steering, this.panels.acts);
     this.colours = chartColours();
     this.world.onScheme(() => { this.colours = chartColours(); this.build(); });
-    this.link.on("scene", (scene) => { this.scene = scene; this.frame = null; this.begun = true; this.build(); this.panels.showScene(scene); });
-    this.link.on("ground", (told) => { this.told = told; this.buildGround(); });
-    this.link.on("error", ({ what }) => this.panels.notice(what));
-    this.link.on("closed", () => this.panels.showState("not connected", "bad"));
-    this.link.on("frame", (frame) => this.take(frame));
     this.addPointer();
     this.chosen = 0;  // the leg of which a sentence is shown
     $("ring").addEventListener("click", ({ offsetX, offsetY }) => this.choose(legAt($("ring"), this.names.length, offsetX, offsetY)));
     this.panels.onLeg = (leg) => this.choose(leg);
     this.drawn = this.panelsDrawn = 0;
     document.body.classList.toggle("plain", this.world.software);
+    const replay = embedded();
+    if (replay) this.play(replay);
+    else this.listen();
     requestAnimationFrame(() => this.draw());
+  }
+
+  /** A walk that goes on, or a replay, as the server has it. */
+  listen() {
+    const { link } = this, tape = new Tape(kKept);
+    link.on("scene", (scene) => { [tape.scene, tape.ground] = [scene, null]; });
+    link.on("ground", (told) => { if (told.scene === tape.scene?.scene) tape.ground = told; });
+    link.on("frame", (bytes) => { if (tape.add(bytes)) this.player.grown(); });
+    link.on("error", ({ what }) => this.panels.notice(what));
+    link.on("closed", () => this.panels.showState("not connected", "bad"));
+    link.on("replay", (bytes) => { link.end(); this.play(bytes); });
+    this.watch(tape, {
+      paused: () => link.frame?.paused ?? false,
+      pause: (on) => { if (link.mayHold) link.send({ type: "pause", on }); return link.mayHold; },
+      step: () => link.send({ type: "step", ticks: 1 }),
+      speed: (factor) => link.send({ type: "speed", factor }),
+    });
+    link.start();
+  }
+
+  async play(bytes) {
+    try {
+      document.body.classList.add("replay");
+      $("knobs").inert = true;  // they show what the robot was told
+      this.watch(await openReplay(bytes), null);
+      this.player.seek(0);
+      const { robot, terrain } = this.scene;
+      document.title = `${robot} on ${terrain} – hexagait replay`;
+      if (!matchMedia("(prefers-reduced-motion: reduce)").matches) this.player.play();
+    } catch (error) {
+      this.panels.showState(error.message, "bad");
+    }
+  }
+
+  watch(tape, live) {
+    this.player = new Player(tape, {
+      show: (entry) => this.show(entry), restart: (entries) => this.restart(entries), window: kWindow,
+    });
+    this.panels.timeline = this.timeline = new Timeline(this.player, live);
+  }
+
+  show({ scene, ground, bytes }) {
+    if (scene !== this.scene) {
+      this.scene = scene;
+      this.begun = true;
+      this.build();
+      this.panels.showScene(scene);
+    }
+    if (ground && ground !== this.told) {
+      this.told = ground;
+      this.buildGround();
+    }
+    this.take(decodeFrame(bytes));
+  }
+
+  restart(entries) {
+    const now = entries.pop();
+    if (now.scene === this.scene) {
+      this.overlays.forget();
+      this.makeCharts();
+      const whole = (entries[0] ?? now).time < kBegin;
+      this.countdown = whole ? new Countdown(this.names.length) : null;  // it counts from the beginning
+      for (const { bytes } of entries) {
+        const frame = decodeFrame(bytes);
+        this.overlays.remember(frame);
+        this.chart(frame);
+      }
+    }
+    this.show(now);
+    this.leap = true;
   }
 
   build() {
@@ -48,16 +127,21 @@ class App {
     this.world.scene.add(this.robot.group, this.overlays.group);
     const names = this.scene.legs.map(({ name }) => name.slice(0, 3));
     this.names = names;
+    this.countdown = new Countdown(names.length);
     this.chosen = Math.min(this.chosen, names.length - 1);
-    this.diagram = new GaitDiagram($("diagram"), names);
+    this.makeCharts();
+    if (this.sized !== this.overlays.size) this.world.stepBack(this.sized = this.overlays.size);
+    this.buildGround();
+  }
+
+  makeCharts() {
+    this.diagram = new GaitDiagram($("diagram"), this.names);
     this.strips = [
       new Strip($("strip-speed"), { title: "speed", unit: "m/s", digits: 2, bounds: [0, 0.3] }),
       new Strip($("strip-margin"), { title: "stability margin", unit: "cm", digits: 1, bounds: [0, 15], warn: 0 }),
       new Strip($("strip-slip"), { title: "slip of a foot", unit: "cm/s", digits: 1, bounds: [0, 5], warn: 10, below: false }),
       new Strip($("strip-cost"), { title: "cost of transport", unit: "", digits: 2, bounds: [0, 1] }),
     ];
-    if (this.sized !== this.overlays.size) this.world.stepBack(this.sized = this.overlays.size);
-    this.buildGround();
   }
 
   buildGround() {
@@ -68,11 +152,15 @@ class App {
   }
 
   take(frame) {
-    if (!this.scene || frame.scene !== this.scene.scene) return;
     this.frame = frame;
-    this.resume(frame);
-    if (!this.link.holds || this.begun) this.steering.follow(frame);
+    if (this.player.follows) this.resume(frame);
+    if (!this.link.holds || this.begun || !this.player.follows) this.steering.follow(frame);
     this.begun = false;
+    this.chart(frame);
+  }
+
+  chart(frame) {
+    this.countdown?.take(frame);
     this.diagram.take(frame);
     const speed = Math.hypot(frame.vx, frame.vy);
     this.strips[0].take(frame.time, speed);
@@ -129,7 +217,7 @@ class App {
 
   /** Circles the point of the ground that was clicked: as near to straight ahead as it can be done. */
   circle(x, y) {
-    if (!this.frame) return;
+    if (!this.frame || !this.timeline.live) return;
     const p = this.world.groundAt(x, y, this.frame.legs.reduce((sum, leg) => sum + leg.foot[2] / this.frame.legs.length, 0));
     if (!p) return;
     const heading = yaw(this.frame.q), dx = p.x - this.frame.p[0], dy = p.y - this.frame.p[1];
@@ -144,10 +232,15 @@ class App {
 
   draw() {
     requestAnimationFrame(() => this.draw());
+    const now = performance.now();
+    this.timeline?.advance(Math.min(0.25, (now - (this.drawnAt ?? now)) / 1000));
+    this.drawnAt = now;
+    if (this.timeline?.live) this.pad.poll(now);
     if (this.frame && this.robot) {
       this.robot.move(this.frame);
       this.overlays.update(this.frame);
-      this.world.follow(this.frame.p, this.drawn === 0 ? 1 : 0.08);
+      this.world.follow(this.frame.p, this.drawn === 0 || this.leap ? 1 : 0.08);
+      this.leap = false;
       if (performance.now() - this.panelsDrawn > (this.world.software ? 140 : 40)) this.drawPanels();
       this.drawn += 1;
     }
@@ -161,8 +254,11 @@ class App {
     drawRing($("ring"), frame, this.names, this.colours, this.chosen);
     const sentence = why(frame, this.chosen, this.names);
     if ($("why").textContent !== sentence) $("why").textContent = sentence;
+    const left = this.countdown?.words(frame) ?? "";
+    if ($("countdown").textContent !== left) $("countdown").textContent = left;
     for (const strip of this.strips) strip.draw(this.colours);
     this.panels.showFrame(frame, this.world);
+    this.timeline.show(frame);
   }
 }
 
@@ -174,6 +270,10 @@ try {
     scene: () => app.scene,
     feet: () => { app.robot.move(app.frame); return { frame: app.frame, drawn: app.robot.footPositions() }; },
     you: () => app.link.you,
+    player: () => app.player && {
+      position: app.player.position, last: app.player.tape.last, first: app.player.tape.first, clock: app.player.clock,
+      begin: app.player.begin, end: app.player.end, playing: app.player.playing, follows: app.player.follows,
+    },
     view: () => ({ drawn: app.drawn, frames: app.link.frames, fps: app.world.fps, level: app.world.level, software: app.world.software }),
     send: (command) => app.link.send(command),
     quality: (level) => app.world.fix(level),

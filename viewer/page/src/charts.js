@@ -4,7 +4,7 @@
 // The gait diagram, the ring of relations, and strips of numbers over time.
 import { has, ring } from "./frame.js";
 
-const kWindow = 8;  // shown [s]
+export const kWindow = 8;  // shown [s]
 
 /** A canvas in CSS pixels, sharp on any screen. */
 function begin(canvas) {

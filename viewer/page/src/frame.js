@@ -3,15 +3,15 @@
 //
 // Reads a pose frame: the bytes of hexagait/viewer/pose_frame.hpp.
 
-export const kVersion = 1;
+export const kVersion = 2;
 export const kPhases = ["support", "unload", "lift", "transfer", "descend", "retreat", "follow", "search", "hold"];
 export const kFaults = ["", "not started", "bad measurement", "plant late", "plant closed", "emergency stop", "bad command"];
 const kFlags = { paused: 1, fell: 2, silent: 4, wave: 8, tripod: 16, holding: 32 };
 const kTypes = ["–", "A", "B", "C", "D"];
 
 class Reader {
-  constructor(buffer) {
-    this.view = new DataView(buffer);
+  constructor(bytes) {
+    this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
     this.at = 0;
   }
   u8() { return this.view.getUint8(this.at++); }
@@ -22,9 +22,10 @@ class Reader {
   vector(n) { return Array.from({ length: n }, () => this.f32()); }
 }
 
-/** @returns the frame, or null if it is of another version than this page */
-export function decodeFrame(buffer) {
-  const r = new Reader(buffer);
+/** @param bytes  as a Uint8Array; what is behind the frame is not read
+ *  @returns the frame, or null if it is of another version than this page */
+export function decodeFrame(bytes) {
+  const r = new Reader(bytes);
   if (r.u8() !== kVersion) return null;
   const n = r.u8(), bits = r.u8(), fault = r.u8();
   const f = { fault, scene: r.u32(), tick: r.u32(), holder: r.u32(), time: r.f64(), factor: r.f32() };
@@ -43,12 +44,12 @@ export function decodeFrame(buffer) {
   f.ccn = r.u8();
   f.type = kTypes[r.u8()];
   for (const set of ["priority", "mayStep", "waits", "contact", "support", "urgent"]) f[set] = r.u16();
-  f.polygon = Array.from({ length: r.u8() }, () => r.vector(2));
   f.legs = Array.from({ length: n }, () => {
     const leg = { foot: r.vector(3), target: r.vector(3), force: r.f32(), lag: r.f32(), phase: r.u8() };
     leg.q = r.vector(r.u8());
     return leg;
   });
+  f.polygon = Array.from({ length: r.u8() }, () => r.vector(2));
   return f;
 }
 

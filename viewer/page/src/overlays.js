@@ -161,12 +161,26 @@ export class Overlays {
       const target = this.targets[i];
       target.visible = Number.isFinite(leg.target[0]);
       if (target.visible) target.position.set(leg.target[0], leg.target[1], leg.target[2] - this.radius + 0.006);
+    });
+    this.remember(frame);
+    this.writeTraces();
+  }
+
+  /** Adds to footprints and ways of the feet. */
+  remember(frame) {
+    frame.legs.forEach((leg, i) => {
       const stands = has(frame.contact, i);
       if (stands && !this.standing[i]) this.print(leg.foot);
       this.standing[i] = stands;
       this.trace(i, leg.foot, stands);
     });
-    this.writeTraces();
+  }
+
+  /** No footprints and no ways: the next frame is not one that follows. */
+  forget() {
+    this.prints.count = this.printed = 0;
+    this.traces = this.legs.map(() => []);
+    this.standing = this.legs.map(() => true);
   }
 
   print([x, y, z]) {

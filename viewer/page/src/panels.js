@@ -21,7 +21,7 @@ export class Panels {
     const acts = {
       scramble: send({ type: "scramble" }), reset: send({ type: "reset" }),
       push: () => this.link.send({ type: "push", angle: Math.random() < 0.5 ? Math.PI / 2 : -Math.PI / 2 }),
-      pause: () => this.link.send({ type: "pause", on: !this.frame?.paused }), step: send({ type: "step", ticks: 1 }),
+      pause: () => this.timeline?.toggle(), step: () => this.timeline?.on(), back: () => this.timeline?.back(),
       go: () => steering.go(), stop: () => steering.stop(),
       "spin-left": () => steering.spin("ccw"), "spin-right": () => steering.spin("cw"),
       "gait-free": () => this.gait("free"), "gait-tripod": () => this.gait("tripod"), "gait-wave": () => this.gait("wave"),
@@ -30,7 +30,6 @@ export class Panels {
     };
     for (const [id, act] of Object.entries(acts)) $(id).addEventListener("click", act);
     this.acts = acts;
-    $("speed").addEventListener("change", () => this.link.send({ type: "speed", factor: Number($("speed").value) }));
     $("robot").addEventListener("change", () => this.link.send({ type: "restart", robot: $("robot").value }));
     $("terrain").addEventListener("change", () => this.restart());
     $("roughness").addEventListener("change", () => this.restart());
@@ -53,15 +52,19 @@ export class Panels {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     if (event.target.matches("input:not([type=range]), select") && event.key !== "Escape") return;
     if (event.target.matches("button") && [" ", "Enter"].includes(event.key)) return;
-    if (event.target.matches("input[type=range]") && event.key.startsWith("Arrow")) return;
+    if (event.target.matches("input[type=range]:not(#scrub)") && event.key.startsWith("Arrow")) return;
     if (/^[1-9]$/.test(event.key)) return this.onLeg?.(Number(event.key) - 1);
-    const s = this.steering;
-    const act = {
+    const s = this.steering, { timeline } = this;
+    const ofTime = {
+      " ": this.acts.pause, ArrowRight: this.acts.step, ArrowLeft: this.acts.back,
+      Home: () => timeline?.toBegin(), End: () => timeline?.toEnd(), Escape: () => document.activeElement.blur(),
+    };
+    const ofWalk = timeline?.live ? {
       w: () => s.set(s.curvature, 0), s: () => s.set(s.curvature, 180), a: () => s.bend(1), d: () => s.bend(-1),
       q: () => s.turn(1), e: () => s.turn(-1), x: this.acts.stop, p: this.acts.push, r: this.acts.scramble,
-      " ": this.acts.pause, ArrowRight: this.acts.step, Backspace: this.acts.reset,
-      ArrowUp: () => s.go(), Escape: () => document.activeElement.blur(),
-    }[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+      Backspace: this.acts.reset, ArrowUp: () => s.go(),
+    } : {};
+    const act = { ...ofTime, ...ofWalk }[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (!act) return;
     event.preventDefault();
     act();
@@ -82,7 +85,8 @@ export class Panels {
     $("roughness-label").hidden = !sized;
     this.showRoughness();
     const legs = scene.legs.length, joints = scene.legs[0].joints.length;
-    $("facts").textContent = `${legs} legs × ${joints} joints, ${scene.mass.toFixed(1)} kg, seed ${scene.seed}`;
+    const where = this.timeline?.live ? "" : `${scene.robot} on ${scene.terrain}: `;
+    $("facts").textContent = `${where}${legs} legs × ${joints} joints, ${scene.mass.toFixed(1)} kg, seed ${scene.seed}`;
   }
 
   showRoughness() { $("roughness-out").textContent = `${$("roughness").value} cm`; }
@@ -93,6 +97,14 @@ export class Panels {
   }
 
   state(frame) {
+    const { timeline } = this;
+    if (!timeline.live) {
+      if (frame.fell) return ["fell", "bad"];
+      if (timeline.player.playing) return ["plays", "good"];
+      return [timeline.player.atEnd ? "at the end" : "paused", "held"];
+    }
+    if (!this.link.open) return ["not connected", "bad"];
+    if (timeline.isBack) return [timeline.player.playing ? "looks back, plays" : "looks back", "held"];
     if (frame.fell) return ["fell – Backspace begins again", "bad"];
     if (frame.fault) return [`stopped: ${kFaults[frame.fault]}`, "bad"];
     if (frame.paused) return ["paused", "held"];
@@ -104,7 +116,7 @@ export class Panels {
   showFrame(frame, world) {
     this.frame = frame;
     this.showState(...this.state(frame));
-    const pressed = { "gait-free": !frame.wave && !frame.tripod, "gait-wave": frame.wave, "gait-tripod": frame.tripod, pause: frame.paused };
+    const pressed = { "gait-free": !frame.wave && !frame.tripod, "gait-wave": frame.wave, "gait-tripod": frame.tripod };
     for (const [id, on] of Object.entries(pressed)) {
       const text = String(on);
       if ($(id).getAttribute("aria-pressed") !== text) $(id).setAttribute("aria-pressed", text);

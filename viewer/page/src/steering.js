@@ -4,7 +4,7 @@
 // The wheel, the dial and what they stand for. Curvature, not radius: straight is 0, not infinity.
 
 export const kMostCurvature = 2;  // at the stops of the wheel [1/m]
-const kStop = 150;                // angle of the wheel there [°]
+export const kStop = 150;         // angle of the wheel there [°]
 
 const clamp = (x, least, most) => Math.min(most, Math.max(least, x));
 const wrapped = (degrees) => ((((degrees + 180) % 360) + 360) % 360) - 180;

@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A server of `hexagait steer`, and pages of it in Chromium.
+// Servers of hexagait, and pages in Chromium.
 import { spawn } from "node:child_process";
 import { once } from "node:events";
 import { chromium } from "playwright-core";
 
-export async function startServer(...options) {
-  const child = spawn(process.env.HEXAGAIT, ["steer", "--quiet", ...options], { stdio: ["ignore", "pipe", "inherit"] });
+export const startServer = (...options) => serve("steer", ...options);
+
+/** A server of `hexagait steer` or `hexagait replay`. */
+export async function serve(command, ...options) {
+  const child = spawn(process.env.HEXAGAIT, [command, "--quiet", ...options], { stdio: ["ignore", "pipe", "inherit"] });
   const [line] = await once(child.stdout, "data");
   const url = String(line).trim();
   return {
@@ -33,7 +36,8 @@ export async function openPage(browser, url, options = {}) {
   page.problems = [];
   page.on("pageerror", (error) => page.problems.push(error.message));
   page.on("console", (message) => message.type() === "error" && page.problems.push(message.text()));
-  page.on("request", (request) => new URL(request.url()).host === new URL(url).host || page.problems.push(`asks ${request.url()}`));
+  const own = ({ protocol, host }) => ["data:", "blob:"].includes(protocol) || host === new URL(url).host;
+  page.on("request", (request) => own(new URL(request.url())) || page.problems.push(`asks ${request.url()}`));
   const begin = Date.now();
   await page.goto(url);
   await page.waitForFunction(() => window.hexagait?.view().drawn > 0, null, { timeout: 15000 });

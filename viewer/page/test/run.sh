@@ -4,7 +4,7 @@
 #
 # Usage: run.sh PROGRAM [DIR]
 #
-# Tests the page of `PROGRAM steer` in Debian's Chromium, without a window; leaves pictures in DIR
+# Tests the page of `PROGRAM steer` and `PROGRAM replay` in Debian's Chromium, without a window; leaves pictures in DIR
 # (out/steer), and what it measured. Needs Node.js, npm and Chromium.
 set -euo pipefail
 
@@ -12,7 +12,7 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 program=$(realpath "$1")
 out=$(realpath -m "${2:-out/steer}")
 mkdir -p "$out" build/page-test
-cp "$here"/*.mjs "$here"/package*.json "$here"/.npmrc "$here"/../src/{frame,why}.js build/page-test
+cp "$here"/*.mjs "$here"/package*.json "$here"/.npmrc "$here"/../src/{countdown,frame,player,replay,tape,why}.js build/page-test
 cd build/page-test
 [[ node_modules/.package-lock.json -nt package-lock.json && -d node_modules/playwright-core ]] ||
   npm ci --ignore-scripts --no-audit --no-fund --loglevel=error

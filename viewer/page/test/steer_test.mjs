@@ -188,6 +188,15 @@ describe("things to try", () => {
     const now = await frameOf(page);
     assert.ok(Math.hypot(now.p[0] - before.p[0], now.p[1] - before.p[1]) < 0.3);
   });
+  test("a robot that is scrambled says when its legs alternate", async () => {
+    await reset();
+    await click("go");
+    const { scene } = await frameOf(page);
+    await key("r");
+    await until(page, (f, before) => f.scene > before, scene);
+    await page.waitForTimeout(300);
+    await page.waitForFunction(() => /^(Alternates within|Alternating after) /.test(document.getElementById("countdown").textContent), null, { timeout: 8000 });
+  });
   test("P pushes the body aside", async () => {
     await reset();
     await key("x");

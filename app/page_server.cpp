@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "page_server.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <hexagait/text/invalid_input.hpp>
+#include <hexagait/text/parse_number.hpp>
+#include <hexagait/viewer/page_files.hpp>
+#include <hexagait/viewer/server.hpp>
+#include <thread>
+
+#include "interrupt.hpp"
+#include "output.hpp"
+
+namespace hexagait::app {
+namespace {
+
+int port(const std::string& text) {
+  const auto number = parse_number<int>(text);
+  if (number && 0 <= *number && *number <= 65535) return *number;
+  throw InvalidInput(fmt::format(
+      "--port is '{}'; it must be a whole number from 0 (any that is free) to 65535", text));
+}
+
+// Raises `end` with Ctrl-C, or when the time is over.
+class End {
+ public:
+  explicit End(double seconds)
+      : thread_([this, seconds, &interrupted = watch_interrupts()] {
+          const auto begin = viewer::Clock::now();
+          const std::chrono::duration<double> length(seconds);
+          while (!ended_ && !interrupted && viewer::Clock::now() - begin < length)
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+          ended_ = true;
+        }) {}
+  ~End() {
+    ended_ = true;
+    thread_.join();
+  }
+  End(const End&) = delete;
+  End& operator=(const End&) = delete;
+
+  [[nodiscard]] const std::atomic<bool>& ended() const { return ended_; }
+
+ private:
+  std::atomic<bool> ended_ = false;
+  std::thread thread_;
+};
+
+}  // namespace
+
+void wait_for_end(double seconds) {
+  const End end(seconds);
+  while (!end.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+}
+
+void serve_page(const char* command, const PageAddress& address, viewer::Host& host,
+                double seconds) {
+  if (viewer::page_files().empty())
+    throw InvalidInput(fmt::format("{}: {}", command, viewer::kNoPage));
+  const std::string bind = address.bind == "localhost" ? "127.0.0.1" : address.bind;
+  viewer::Access access{.bind = bind, .port = port(address.port), .token = {}};
+  if (!access.is_loopback()) access.token = viewer::make_token();
+  viewer::Server server(std::move(access), host);
+  print_out(fmt::format("{}\n", server.url()));
+  if (!address.quiet) fmt::print(stderr, "Open this address in a browser; Ctrl-C ends.\n");
+  const End end(seconds);
+  server.run(end.ended());
+}
+
+}  // namespace hexagait::app

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <hexagait/viewer/host.hpp>
+#include <limits>
+#include <string>
+
+namespace hexagait::app {
+
+/// Where a page is served, as it was typed.
+struct PageAddress {
+  std::string port, bind;
+  bool quiet = false;
+};
+
+/// Waits for Ctrl-C, or so long [s].
+void wait_for_end(double seconds);
+
+/// Serves the page of a walk or a replay, and prints its address, until Ctrl-C, or so long [s].
+/// @param command  begins the message if there is no page
+/// @throws InvalidInput  if there is no page, or the address can't be had
+void serve_page(const char* command, const PageAddress& address, viewer::Host& host,
+                double seconds = std::numeric_limits<double>::infinity());
+
+}  // namespace hexagait::app
