@@ -34,7 +34,7 @@ struct SerialLeg {
   /// Of the joint values within their limits that put the foot at p_BF, the one nearest to
   /// q_nominal that a continuous motion from `near` reaches. So the answer of a leg of more than
   /// three joints depends on the foot's position and not on how it came there. Nearness counts in the
-  /// room s_i that joint i has about q_nominal, up to 1 rad: Σ ((q_i − q_nominal,i) / s_i)². Joints
+  /// room s_i that joint i has about q_nominal, ¼ to 1 rad: Σ ((q_i − q_nominal,i) / s_i)². Joints
   /// that stand near a limit leave the motion to those that do not.
   ///
   /// Iterates, with e = p_BF − p(q), S = diag s, J the Jacobian of the free joints times S, and

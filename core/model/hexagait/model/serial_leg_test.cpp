@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <testing/counted_allocations.hpp>
@@ -167,9 +168,9 @@ TEST_P(SerialLeg, IsOfAllAnswersNearbyTheNearestToTheNominalJoints) {
     const int n = leg.num_joints();
     Eigen::VectorXd room = Eigen::VectorXd::Ones(n);
     for (int i = 0; n > 3 && i < n; ++i)
-      room[i] = std::min(
-          {1.0, leg.q_nominal[i] - leg.limits[i].lower, leg.limits[i].upper - leg.q_nominal[i]});
-    if (room.minCoeff() < 0.05) continue;
+      room[i] = std::clamp(
+          std::min(leg.q_nominal[i] - leg.limits[i].lower, leg.limits[i].upper - leg.q_nominal[i]),
+          0.25, 1.0);
     const Eigen::MatrixXd J =
         jacobian_by_differences(leg, solution.q).leftCols(n) * room.asDiagonal();
     const Eigen::VectorXd r = (leg.q_nominal - solution.q).head(n).cwiseQuotient(room);
