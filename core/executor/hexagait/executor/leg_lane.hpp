@@ -50,10 +50,10 @@ struct LegLane {
   bool cleared = false;              ///< contact has been lost since the lift
   int retreats = 0;                  ///< collisions of this step
   int bounces = 0;                   ///< its touchdowns that were none, since the last retreat
-  double reach_fraction = 1.0;  ///< of the way to the foothold, less when it is not reachable
-  double beside = 0.0;          ///< to the left of that way [m]: the foothold is searched for
-  bool touched_down = false;  ///< counts as support from this tick on
-  bool lifted = false;        ///< left support in this tick
+  double reach_fraction = 1.0;       ///< of the way to the foothold, less when it is not reachable
+  double beside = 0.0;               ///< to the left of that way [m]: the foothold is searched for
+  bool touched_down = false;         ///< counts as support from this tick on
+  bool lifted = false;               ///< left support in this tick
 
   // For legs that follow a plan:
   LegPhase after_unload = LegPhase::lift;
