@@ -19,6 +19,7 @@ std::vector<PathWalk> those(const std::vector<PathWalk>& walks, const auto& pred
 
 std::vector<walk::Summary> summaries(const std::vector<PathWalk>& walks) {
   std::vector<walk::Summary> all;
+  all.reserve(walks.size());
   for (const PathWalk& walk : walks) all.push_back(walk.summary);
   return all;
 }

@@ -51,7 +51,7 @@ TEST(JudgePaths, WantsBothShapesKeptOnBothGrounds) {
   EXPECT_EQ(broken(2, [](auto& s) { s.lateral_mean = 0.05; }), (Words{true, true}))
       << "odometry drifts: no claim";
   std::vector<PathWalk> stuck = all_good();
-  for (const std::size_t k : {2, 6}) stuck[k].summary.stuck = true;
+  for (const std::size_t k : {2U, 6U}) stuck[k].summary.stuck = true;
   EXPECT_EQ(holding(stuck), (Words{true, false}));
 }
 
