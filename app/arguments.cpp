@@ -156,10 +156,9 @@ double time_for(const path_following::PathTask& task, const RobotModel& robot, d
   constexpr double kLongest = 5.0, kLeast = 40.0;
   const double usual = std::min(speed, usual_speed(scale_of(robot)));
   double time = task.path.at(0.0).norm() / usual;
-  for (const path_following::Path::Piece& piece : task.path.pieces()) {
-    const bool last = &piece == &task.path.pieces().back();
-    const double end = last ? task.path.length() : (&piece)[1].s;
-    time += task.laps * (end - piece.s) / std::min(usual, piece.speed);
+  for (std::size_t k = 0; k < task.path.pieces().size(); ++k) {
+    const path_following::Path::Piece& piece = task.path.pieces()[k];
+    time += task.laps * (task.path.end_of(k) - piece.s) / std::min(usual, piece.speed);
   }
   return std::clamp(kLongest * time, kLeast, kSeconds.greatest);
 }

@@ -56,7 +56,7 @@ void wait_for_end(double seconds) {
   while (!end.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
 }
 
-void serve_page(const char* command, const PageAddress& address, viewer::Host& host,
+void serve_page(const char* command, const PageAddress& address, bool quiet, viewer::Host& host,
                 double seconds) {
   if (viewer::page_files().empty())
     throw InvalidInput(fmt::format("{}: {}", command, viewer::kNoPage));
@@ -65,7 +65,7 @@ void serve_page(const char* command, const PageAddress& address, viewer::Host& h
   if (!access.is_loopback()) access.token = viewer::make_token();
   viewer::Server server(std::move(access), host);
   print_out(fmt::format("{}\n", server.url()));
-  if (!address.quiet) fmt::print(stderr, "Open this address in a browser; Ctrl-C ends.\n");
+  if (!quiet) fmt::print(stderr, "Open this address in a browser; Ctrl-C ends.\n");
   const End end(seconds);
   server.run(end.ended());
 }

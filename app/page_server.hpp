@@ -4,23 +4,19 @@
 
 #include <hexagait/viewer/host.hpp>
 #include <limits>
-#include <string>
+
+#include "page_options.hpp"
 
 namespace hexagait::app {
-
-/// Where a page is served, as it was typed.
-struct PageAddress {
-  std::string port, bind;
-  bool quiet = false;
-};
 
 /// Waits for Ctrl-C, or so long [s].
 void wait_for_end(double seconds);
 
 /// Serves the page of a walk or a replay, and prints its address, until Ctrl-C, or so long [s].
 /// @param command  begins the message if there is no page
+/// @param quiet    says nothing but the address
 /// @throws InvalidInput  if there is no page, or the address can't be had
-void serve_page(const char* command, const PageAddress& address, viewer::Host& host,
+void serve_page(const char* command, const PageAddress& address, bool quiet, viewer::Host& host,
                 double seconds = std::numeric_limits<double>::infinity());
 
 }  // namespace hexagait::app

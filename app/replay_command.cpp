@@ -68,7 +68,7 @@ int replay_command(const ReplayArguments& arguments) {
     print_out(in_print(facts, replay.size(), arguments.json));
   if (html || arguments.json) return kOk;
   viewer::ReplayHost host(std::move(replay));
-  serve_page("replay", {arguments.port, arguments.bind, arguments.quiet}, host);
+  serve_page("replay", arguments.address, arguments.quiet, host);
   return kOk;
 }
 

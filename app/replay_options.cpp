@@ -30,12 +30,7 @@ void add_replay(CLI::App& app, ReplayArguments& a) {
       ->required();
   replay->add_option("--html", a.html, "Don't serve it: write one page that plays from disk, .html")
       ->type_name("FILE");
-  replay->add_option("--port", a.port, "Of the page; 0: any that is free")
-      ->type_name("N")
-      ->capture_default_str();
-  replay->add_option("--bind", a.bind, "Address to listen on; any but a loopback one needs a token")
-      ->type_name("ADDRESS")
-      ->capture_default_str();
+  add_page_address(*replay, a.address);
   replay->add_flag("--json", a.json, "Don't serve it: print what is in it as one JSON object");
   replay->add_flag("--quiet", a.quiet, "Say nothing but the address");
 }

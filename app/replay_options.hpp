@@ -4,12 +4,14 @@
 
 #include <CLI/CLI.hpp>
 
+#include "page_options.hpp"
+
 namespace hexagait::app {
 
 /// `hexagait replay` as it was typed.
 struct ReplayArguments {
   std::string file, html;
-  std::string port = "8460", bind = "127.0.0.1";
+  PageAddress address;
   bool json = false, quiet = false;
 };
 

@@ -92,7 +92,7 @@ SessionStatistics steer(const SteerArguments& arguments, viewer::ReplayWriter* r
   if (arguments.headless)
     wait_for_end(seconds);
   else
-    serve_page("steer", {arguments.port, arguments.bind, arguments.walk.quiet}, session, seconds);
+    serve_page("steer", arguments.address, arguments.walk.quiet, session, seconds);
   return session.statistics();
 }
 

@@ -32,7 +32,6 @@ void add_steer(CLI::App& app, SteerArguments& a) {
   steer->footer(kNotes);
   a.walk.terrain = "boxes:10cm";
   a.walk.radius = "3";
-
   steer->add_option("--robot", a.walk.robot, "URDF file, or a name of hexagait list robots")
       ->type_name("FILE|NAME")
       ->capture_default_str();
@@ -49,12 +48,7 @@ void add_steer(CLI::App& app, SteerArguments& a) {
       ->type_name("ANGLE");
   steer->add_option("--gait", a.walk.gait, "free (default), tripod or wave:BETA")->type_name("G");
   group(*steer, "Robot, ground and walk");
-  steer->add_option("--port", a.port, "Of the page; 0: any that is free")
-      ->type_name("N")
-      ->capture_default_str();
-  steer->add_option("--bind", a.bind, "Address to listen on; any but a loopback one needs a token")
-      ->type_name("ADDRESS")
-      ->capture_default_str();
+  add_page_address(*steer, a.address);
   steer->add_option("--speed", a.speed, "Simulated seconds per second, 0.05 to 10")
       ->type_name("X")
       ->capture_default_str();

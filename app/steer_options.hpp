@@ -5,13 +5,15 @@
 #include <CLI/CLI.hpp>
 
 #include "arguments.hpp"
+#include "page_options.hpp"
 
 namespace hexagait::app {
 
 /// `hexagait steer` as it was typed.
 struct SteerArguments {
   WalkArguments walk;  ///< of which steer has only some options
-  std::string port = "8460", bind = "127.0.0.1", speed = "1";
+  PageAddress address;
+  std::string speed = "1";
   bool headless = false;
 };
 

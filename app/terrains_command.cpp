@@ -29,8 +29,10 @@ int terrains_command(const TerrainsArguments& arguments) {
   const std::vector<std::string> terrains =
       arguments.terrains.empty() ? examples() : arguments.terrains;
   const std::uint64_t number = seed(arguments.seed);
+  std::vector<recording::NamedTerrain> drawn;
+  drawn.reserve(terrains.size());
   for (const std::string& terrain : terrains)
-    static_cast<void>(sim3d::Terrain(sim3d::parse_terrain(terrain), number));
+    drawn.push_back({terrain, sim3d::Terrain(sim3d::parse_terrain(terrain), number)});
   std::optional<OutputFile> plot = output_file("--plot", arguments.plot, {".png", ".svg", ".pdf"});
   figures::require_gnuplot();
   write_output("--plot", *plot, [&] {
@@ -41,7 +43,7 @@ int terrains_command(const TerrainsArguments& arguments) {
          .headline = terrains.size() == 1 ? terrains[0] : "Terrains",
          .subtitle = "From the start pad to 4.5 m ahead, 1.5 m to each side · seed " +
                      arguments.seed + " · blue: ice, brown: soft"},
-        terrains, number);
+        drawn);
     plot->files.publish();
   });
   return kOk;

@@ -40,7 +40,7 @@ Heading Heading::along(const Vector2& v, double w) noexcept {
   const double size = portable::hypot(speed, w);
   if (!std::isfinite(size) || size == 0.0) return stop();
   if (speed == 0.0) return spin(w > 0.0 ? Turn::ccw : Turn::cw);
-  return {speed / size, w / size, portable::atan2(v.y(), v.x())};
+  return {speed / size, w / size, angle_of(v)};
 }
 
 Heading Heading::stopped() const noexcept {

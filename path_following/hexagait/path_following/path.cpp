@@ -10,8 +10,6 @@ namespace {
 constexpr double kTurnOfPiece = 0.03;  // of a spline [rad]
 constexpr int kMostPieces = 64;        // between two waypoints
 
-double direction_of(const Vector2& v) { return portable::atan2(v.y(), v.x()); }
-
 // One span of a spline, as a cubic by its ends and the velocities there.
 struct Span {
   Vector2 p0, p1, v0, v1;
@@ -27,9 +25,9 @@ struct Span {
   }
   // As many pieces as its turns ask for.
   [[nodiscard]] int pieces() const {
-    const double chord = direction_of(p1 - p0);
-    const double turn = std::abs(wrap_angle(direction_of(v0) - chord)) +
-                        std::abs(wrap_angle(direction_of(v1) - chord));
+    const double chord = angle_of(p1 - p0);
+    const double turn =
+        std::abs(wrap_angle(angle_of(v0) - chord)) + std::abs(wrap_angle(angle_of(v1) - chord));
     return std::clamp(static_cast<int>(std::ceil(2.0 * turn / kTurnOfPiece)), 1, kMostPieces);
   }
 };
@@ -73,16 +71,16 @@ Path::Path(const std::vector<Waypoint>& waypoints, Shape shape, bool closed) : c
       length_ += (q - p).norm();
     };
     if (shape == Shape::lines) {
-      add(from, to, direction_of(to - from), 0.0);
+      add(from, to, angle_of(to - from), 0.0);
       continue;
     }
     const Span cubic = span_from(waypoints, closed, k);
     const int count = cubic.pieces();
     for (int j = 0; j < count; ++j) {
       const double u0 = static_cast<double>(j) / count, u1 = static_cast<double>(j + 1) / count;
-      const double direction = direction_of(cubic.velocity(u0));
+      const double direction = angle_of(cubic.velocity(u0));
       add(cubic.at(u0), cubic.at(u1), direction,
-          wrap_angle(direction_of(cubic.velocity(u1)) - direction));
+          wrap_angle(angle_of(cubic.velocity(u1)) - direction));
     }
   }
   end_P_ = closed ? waypoints.front().p_P : waypoints.back().p_P;

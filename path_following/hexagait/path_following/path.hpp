@@ -50,6 +50,7 @@ class Path {
   [[nodiscard]] bool closed() const noexcept { return closed_; }
   [[nodiscard]] bool has_facing() const noexcept { return has_facing_; }
   [[nodiscard]] const std::vector<Piece>& pieces() const noexcept { return pieces_; }
+  [[nodiscard]] double end_of(std::size_t piece) const noexcept;  ///< where it ends [m]
 
   [[nodiscard]] Vector2 at(double s) const noexcept;        ///< [m], in P
   [[nodiscard]] double direction(double s) const noexcept;  ///< from x of P, in (−π, π] [rad]
@@ -67,7 +68,6 @@ class Path {
   };
   [[nodiscard]] Place place(double s) const noexcept;
   [[nodiscard]] Vector2 point(const Place& place) const noexcept;
-  [[nodiscard]] double end_of(std::size_t piece) const noexcept;
   [[nodiscard]] double share_of(const Place& place) const noexcept;
   void face(const std::vector<Waypoint>& waypoints);
 

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <hexagait/path_following/path_faults.hpp>
+#include <hexagait/text/violations.hpp>
 #include <set>
 
 namespace hexagait::path_following {
@@ -12,17 +11,12 @@ namespace {
 constexpr double kOnePlace = 1e-6;  // of the stride
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  std::array<char, 400> buffer{};
-  (void)std::snprintf(buffer.data(), buffer.size(), format, values...);
-  return buffer.data();
-}
+std::string degrees(double angle) { return in_words(std::round(kDegrees * angle)) + "°"; }
 
 // "point 3, (1, 0)", counted from 1.
 std::string name_of(const std::vector<Waypoint>& waypoints, std::size_t k) {
   const Vector2& p = waypoints[k].p_P;
-  return text("point %zu, (%.6g, %.6g)", k + 1, p.x(), p.y());
+  return "point " + std::to_string(k + 1) + ", (" + in_words(p.x()) + ", " + in_words(p.y()) + ")";
 }
 
 void find_no_numbers(std::vector<PathFault>& faults, const std::vector<Waypoint>& waypoints) {
@@ -33,8 +27,8 @@ void find_no_numbers(std::vector<PathFault>& faults, const std::vector<Waypoint>
     if (point.facing && !std::isfinite(*point.facing))
       faults.push_back({k, name_of(waypoints, k) + ": its facing is no angle; it must be finite"});
     if (!(point.speed > 0.0))
-      faults.push_back({k, name_of(waypoints, k) +
-                               text(": its speed is %g; it must be more than 0", point.speed)});
+      faults.push_back({k, name_of(waypoints, k) + ": its speed is " + in_words(point.speed) +
+                               "; it must be more than 0"});
   }
 }
 
@@ -64,11 +58,10 @@ std::vector<Bend> bends_of(const Path& path) {
     for (std::size_t k = 0; k < path.pieces().size(); ++k) {
       const Path::Piece& piece = path.pieces()[k];
       const double before = lap * path.length();
-      const double end = k + 1 < path.pieces().size() ? path.pieces()[k + 1].s : path.length();
       direction += bends.empty() ? piece.direction : wrap_angle(piece.direction - direction);
       bends.push_back({before + piece.s, direction, piece.waypoint});
       direction += piece.turn;
-      bends.push_back({before + end, direction, piece.waypoint});
+      bends.push_back({before + path.end_of(k), direction, piece.waypoint});
     }
   }
   return bends;
@@ -92,11 +85,10 @@ void find_doubling_back(std::vector<PathFault>& faults, const std::vector<Waypoi
     if (!told[waypoint])
       faults.push_back(
           {waypoint,
-           name_of(waypoints, waypoint) +
-               text(": the path turns by %.0f° within %.3g m, the stride of this robot: it doubles "
-                    "back; it must turn by less than %.0f° there: move the points apart, or leave "
-                    "some out",
-                    kDegrees * turn, stride, kDegrees * kMostTurn)});
+           name_of(waypoints, waypoint) + ": the path turns by " + degrees(turn) + " within " +
+               in_words(stride, 3) +
+               " m, the stride of this robot: it doubles back; it must turn by less than " +
+               degrees(kMostTurn) + " there: move the points apart, or leave some out"});
     told[waypoint] = true;
     within = {bends[k].direction};
     first = k;
@@ -109,9 +101,9 @@ std::vector<PathFault> faults_of(const std::vector<Waypoint>& waypoints, Shape s
                                  double stride) {
   const std::size_t least = closed ? 3 : 2, n = waypoints.size();
   if (n < least)
-    return {
-        {n == 0 ? 0 : n - 1, text("has %zu point%s; %s must have at least %zu", n,
-                                  n == 1 ? "" : "s", closed ? "a closed path" : "a path", least)}};
+    return {{n == 0 ? 0 : n - 1, "has " + std::to_string(n) + (n == 1 ? " point; " : " points; ") +
+                                     (closed ? "a closed path" : "a path") +
+                                     " must have at least " + std::to_string(least)}};
   std::vector<PathFault> faults;
   find_no_numbers(faults, waypoints);
   if (faults.empty()) find_coincident(faults, waypoints, closed, stride);

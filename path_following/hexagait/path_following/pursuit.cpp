@@ -14,8 +14,6 @@ constexpr double kLookAhead = 1.25;  // of the stroke
 constexpr double kAtStart = 0.25;    // of the look-ahead
 constexpr double kLeastWay = 0.5;    // of the look-ahead, for turns
 
-double direction_of(const Vector2& v) { return portable::atan2(v.y(), v.x()); }
-
 // The goal, the direction of the path there and where the robot is, and where to face there.
 struct Goal {
   Vector2 p_P;
@@ -27,7 +25,7 @@ double before(double s, const PathTask& task) { return s - 1e-6 * task.look_ahea
 
 Goal goal_of(const PathProgress& progress, const PathTask& task, const PlanarPose& X_PB) {
   if (!progress.on_path) {
-    const double direct = direction_of(task.path.at(0.0) - X_PB.shift);
+    const double direct = angle_of(task.path.at(0.0) - X_PB.shift);
     return {task.path.at(0.0), direct, direct, facing_at(task, 0.0)};
   }
   const double end = task.end(), ahead = progress.s + task.look_ahead;
@@ -44,7 +42,7 @@ Goal goal_of(const PathProgress& progress, const PathTask& task, const PlanarPos
 // (path 2), (path 3)
 Heading by_crabbing(const Goal& goal, const PlanarPose& X_PB, double look_ahead) {
   const Vector2 chord = goal.p_P - X_PB.shift;
-  const double off = wrap_angle(direction_of(chord) - goal.direction);
+  const double off = wrap_angle(angle_of(chord) - goal.direction);
   const double most =
       std::max(0.5 * std::numbers::pi, std::abs(wrap_angle(goal.direction_here - goal.direction)));
   const double setting_off =

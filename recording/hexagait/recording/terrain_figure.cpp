@@ -41,19 +41,21 @@ figures::Csv ground_table(const sim3d::Terrain& terrain) {
 }
 
 void draw_terrains(figures::StagedFiles& files, figures::Figure figure,
-                   std::span<const std::string> terrains, std::uint64_t seed) {
+                   std::span<const NamedTerrain> terrains) {
   const int count = static_cast<int>(terrains.size()), columns = std::min(count, kColumns);
   const int rows = (count + kColumns - 1) / kColumns;
   figure.width = kWidth;
   figure.height = count == 1 ? 900 : rows * kRow + kTitles;
+  std::vector<std::string> names;
   for (int k = 0; k < count; ++k) {
-    const std::string& name = terrains[static_cast<std::size_t>(k)];
-    const figures::Csv table = ground_table(sim3d::Terrain(sim3d::parse_terrain(name), seed));
+    const auto& [name, terrain] = terrains[static_cast<std::size_t>(k)];
+    names.push_back(name);
+    const figures::Csv table = ground_table(terrain);
     figures::write_tables(files, figure.stem, {{fmt::format("{}", k + 1), table}});
   }
   figures::draw_figure(
       files, figure,
-      {{"names", std::vector<std::string>(terrains.begin(), terrains.end())},
+      {{"names", names},
        {"columns", columns},
        {"rows", rows},
        {"below_titles", 1.0 - (figure.headline.empty() ? 0.0 : double{kTitles} / figure.height)}},

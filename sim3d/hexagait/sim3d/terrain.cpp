@@ -12,7 +12,6 @@
 namespace hexagait::sim3d {
 namespace {
 
-constexpr double kPadCells = 2.0;               // to each side
 constexpr double kPad = kPadCells * kCellEdge;  // half an edge of the start pad [m]
 constexpr double kAbyss = -1.0;                 // level of ditches, pits, and between stones [m]
 constexpr double kWall = 1.0;                   // level of an arena's walls and pillars [m]
@@ -126,6 +125,8 @@ Terrain::Terrain(const TerrainSpec& spec, std::uint64_t seed) : spec_(spec), see
         part.kind == TerrainKind::heightmap ? bounds(part.size, layers_.back().map) : bounds(part);
     lowest_ += lowest;
     highest_ += highest;
+    if (part.kind == TerrainKind::soft && (!softness_ || part.size < softness_->stiffness))
+      softness_ = {part.size, part.extent};
     if (chooses_cells(part.kind)) spacing_ = std::min(spacing_, part.extent / kSamplesPerCell);
   }
   int high = 0, of_cells = 0;
@@ -167,7 +168,7 @@ Terrain::Layer Terrain::layer(const TerrainPart& part, std::uint32_t draws) {
       result.map = load_heightmap(part.file);
       break;
     case TerrainKind::ice:
-      result.cells = {{kIce, 0.0}, {kIce, 0.0}, kPad};
+      result.cells = {{kIce, 0.0}, {kIce, 0.0}};
       break;
     default:
       break;
@@ -304,14 +305,6 @@ double Terrain::friction_at(double x, double y, double otherwise) const {
     if (!pad && random(one, 0, i, j) < 0.5) return one.part.size;
   }
   return otherwise;
-}
-
-std::optional<Terrain::Softness> Terrain::softness() const {
-  std::optional<Softness> softest;
-  for (const Layer& one : layers_)
-    if (one.part.kind == TerrainKind::soft && (!softest || one.part.size < softest->stiffness))
-      softest = Softness{one.part.size, one.part.extent};
-  return softest;
 }
 
 double Terrain::sample(int a, int b) const {

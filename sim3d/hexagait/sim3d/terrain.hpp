@@ -63,7 +63,7 @@ class Terrain {
   [[nodiscard]] double friction_at(double x, double y, double otherwise) const;
 
   /// That of soft ground; of several soft parts the least stiff. Nothing: the ground is rigid.
-  [[nodiscard]] std::optional<Softness> softness() const;
+  [[nodiscard]] const std::optional<Softness>& softness() const { return softness_; }
 
   /// The cells of a terrain of cells; of others, those of boxes.
   [[nodiscard]] const CellAxis& x_axis() const { return cells_.x; }
@@ -84,7 +84,7 @@ class Terrain {
  private:
   struct Cells {
     CellAxis x, y;
-    double pad = 2.0 * kCellEdge;  ///< half an edge of the start pad [m]
+    double pad = kPadCells * kCellEdge;  ///< half an edge of the start pad [m]
   };
   /// One part, and what does not depend on the place.
   struct Layer {
@@ -111,6 +111,7 @@ class Terrain {
   std::vector<Layer> layers_;
   double lowest_ = 0.0, highest_ = 0.0;
   double spacing_ = kCellEdge / kSamplesPerCell;
+  std::optional<Softness> softness_;
 };
 
 }  // namespace hexagait::sim3d

@@ -32,6 +32,8 @@ enum class TerrainKind : std::uint8_t {
 
 /// Edge of the cells of boxes, steps and rubble unless told otherwise, and of an arena's cells [m].
 inline constexpr double kCellEdge = 0.3;
+/// The start pad ends so many cells from the origin, to each side.
+inline constexpr double kPadCells = 2.0;
 
 /// One kind of ground with its dimensions. Terrains are sums of parts.
 struct TerrainPart {

@@ -47,7 +47,7 @@ ReferencePath::Deviation ReferencePath::deviation(const PlanarPose& X_WB) {
   const Vector2 centre = start_.shift + radius * perpendicular(unit_vector(direction));
   const Vector2 arm = X_WB.shift - centre;
   const double side = std::copysign(1.0, radius);
-  const double at = portable::atan2(arm.y(), arm.x());
+  const double at = angle_of(arm);
   const double angle = at - (direction - side * std::numbers::pi / 2.0);
   angle_ += wrap_angle(angle - angle_);
   ideal_ = {start_.angle + angle_, centre + std::abs(radius) * unit_vector(at)};

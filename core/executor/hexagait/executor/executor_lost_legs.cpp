@@ -40,7 +40,7 @@ void Executor::put_down() noexcept {
   for (LegLane& lane : legs_) {
     if (!is_up(lane.phase)) continue;
     lane.phase = LegPhase::descend;
-    lane.time = lane.reach_fraction = 0.0;
+    lane.time = lane.reach_fraction = lane.beside = 0.0;
     lane.cleared = true;
   }
 }

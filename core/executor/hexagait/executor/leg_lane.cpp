@@ -121,8 +121,8 @@ void land(LegLane& lane, double dt, const SwingParams& params) {
 }
 
 // Moves back, away from the foothold, and up. The next attempt is higher and, after two, shorter; then the
-// foot goes back to where it stood, and if it finds no ground there either, it searches. The set point lets go of what blocks the foot: it
-// would push with more than 1 kN and roll the body.
+// foot goes back to where it stood, and if it finds no ground there either, it searches. The set point
+// lets go of what blocks the foot: it would push with more than 1 kN and roll the body.
 void retreat(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, const SwingParams& params) {
   enter(lane, LegPhase::retreat);
   lane.p_BF += sensed.off;

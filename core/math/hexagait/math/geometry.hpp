@@ -39,6 +39,9 @@ struct Twist {
   return std::remainder(angle, 2.0 * std::numbers::pi);
 }
 
+/// The angle of a vector from x, in [−π, π] [rad].
+[[nodiscard]] inline double angle_of(const Vector2& v) { return portable::atan2(v.y(), v.x()); }
+
 /// The unit vector at `angle` [rad] from x.
 [[nodiscard]] inline Vector2 unit_vector(double angle) {
   const auto [s, c] = portable::sincos(angle);

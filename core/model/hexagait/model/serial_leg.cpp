@@ -93,11 +93,11 @@ LegJoints room_of(const LegModel& leg) {
 }
 
 /// (leg 3) with some joints fixed: `fixed` holds their steps, `free` is 1 for the others.
-LegJoints damped_step(const LegModel& leg, const Search& at, const LegJoints& fixed,
-                      const LegJoints& free) {
+/// @param room  room_of(leg)
+LegJoints damped_step(const LegModel& leg, const LegJoints& room, const Search& at,
+                      const LegJoints& fixed, const LegJoints& free) {
   const double noise = kNoise * leg.max_reach * leg.max_reach;
   const double damping = at.damping * at.e.squaredNorm() + noise;
-  const LegJoints room = room_of(leg);
   const LegJacobian J = at.foot.J * free.cwiseProduct(room).asDiagonal();
   const Vector3 e = at.e - at.foot.J * fixed;
   const Matrix3 JJ = J * J.transpose(), I = Matrix3::Identity();
@@ -111,10 +111,10 @@ LegJoints damped_step(const LegModel& leg, const Search& at, const LegJoints& fi
 }
 
 /// (leg 3), with the joints that reach their limits fixed one after the other, the worst first.
-LegJoints step_of(const LegModel& leg, const Search& at) {
+LegJoints step_of(const LegModel& leg, const LegJoints& room, const Search& at) {
   LegJoints fixed = LegJoints::Zero(), free = LegJoints::Ones(), step = LegJoints::Zero();
   for (int round = 0; round <= leg.num_joints(); ++round) {
-    step = damped_step(leg, at, fixed, free);
+    step = damped_step(leg, room, at, fixed, free);
     int worst = -1;
     double most = 0.0, limit = 0.0;
     for (int i = 0; i < leg.num_joints(); ++i) {
@@ -134,13 +134,14 @@ LegJoints step_of(const LegModel& leg, const Search& at) {
 /// The end of a search from `from`.
 /// @param null_space  false: γ = 0 from the start; true: only in the second half of the iterations
 Search search(const LegModel& leg, const Vector3& target, const LegJoints& from, bool null_space) {
+  const LegJoints room = room_of(leg);
   Search best;
   best.q = clamped(leg, from);
   evaluate(leg, target, best);
   double slack = leg.num_joints() > 3 ? kSlack * leg.max_reach : 0.0;
   for (int k = 0; k < SerialLeg::kMaxIterations; ++k) {
     if (!null_space || k > SerialLeg::kMaxIterations / 2) best.null_space = slack = 0.0;
-    const LegJoints step = step_of(leg, best);
+    const LegJoints step = step_of(leg, room, best);
     const double size = step.cwiseAbs().maxCoeff();
     if (size < kAtRest && (best.e.norm() < kSettled || size == 0.0)) break;
 

@@ -40,10 +40,11 @@ void Violations::throw_if_any() const {
   throw InvalidInput(text);
 }
 
-std::string in_words(double value) {
+std::string in_words(double value, int digits) {
   char text[32];
   // Not printf, whose decimal point is that of the locale.
-  return {text, std::to_chars(text, text + sizeof(text), value, std::chars_format::general, 6).ptr};
+  return {text,
+          std::to_chars(text, text + sizeof(text), value, std::chars_format::general, digits).ptr};
 }
 
 }  // namespace hexagait

@@ -42,7 +42,7 @@ class Violations {
   std::vector<std::string> lines_;
 };
 
-/// A number as it is shown in messages: shortest form, six digits.
-[[nodiscard]] std::string in_words(double value);
+/// A number as it is shown in messages: shortest form, six digits or as many as are asked for.
+[[nodiscard]] std::string in_words(double value, int digits = 6);
 
 }  // namespace hexagait

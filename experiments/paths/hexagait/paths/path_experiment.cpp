@@ -79,8 +79,8 @@ void follow(PathWalk& walk, const ExperimentContext& context) {
 
 figures::Csv table_of(const std::vector<PathWalk>& walks) {
   figures::Csv csv(
-      "path,terrain,seed,localised_by,arrived,fell,stuck,seconds,length_m,done_m,mean_off_mm,max_"
-      "off_mm,"
+      "path,terrain,seed,localised_by,arrived,fell,stuck,seconds,length_m,done_m,"
+      "mean_off_mm,max_off_mm,"
       "believed_mean_off_mm,believed_max_off_mm,missed_mm,end_error_mm,odometry_error_mm");
   for (const PathWalk& w : walks) {
     const walk::PathSummary& p = *w.summary.path;

@@ -31,7 +31,7 @@ void Contacts::find(Ground& ground, std::span<const RobotShape> shapes) {
   for (const RobotShape& shape : shapes) {
     const std::span room = std::span(places).first(kMostContacts - count_);
     const auto found = static_cast<std::size_t>(ground.collide(shape.geom.get(), room));
-    if (const auto soft = ground.terrain().softness(); soft && found > 0) give_way(*soft, found);
+    if (const auto& soft = ground.terrain().softness(); soft && found > 0) give_way(*soft, found);
     for (const dContactGeom& place : room.first(found)) {
       surface_.mu = ground.terrain().friction_at(place.pos[0], place.pos[1], friction_);
       add(shape, place);
