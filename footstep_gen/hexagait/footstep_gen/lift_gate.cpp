@@ -119,9 +119,8 @@ Vector2 way_over(const LegArray<Vector3>& feet, const Vector2& p_M, LegSet legs,
 
 void sway(BaseAutoCommand& base, const Vector2& sway) noexcept {
   base.sway = sway;
-  const double along = base.path.v.dot(sway);
-  if (along > 0.0) base.min_advance = 0.0;
-  if (along < 0.0) base.max_advance = 0.0;
+  base.min_advance = 0.0;
+  if (base.path.v.dot(sway) < 0.0) base.max_advance = 0.0;
 }
 
 }  // namespace hexagait::footstep_gen

@@ -61,8 +61,10 @@ struct LiftGate {
 [[nodiscard]] Vector2 way_over(const LegArray<Vector3>& feet, const Vector2& p_M, LegSet legs,
                                double margin) noexcept;
 
-/// The base's motion while it crawls: `sway` besides the path [m, body frame]. It is not taken back
-/// by the advance along the path, and not added to it.
+/// The base's motion while it crawls: `sway` besides the path [m, body frame]. The advance neither
+/// takes it back nor adds to it, and never goes back along the path: with a leg in the air, the optimum
+/// of the three that stand may be behind the base, and on the way there the leg on the other side of the
+/// centre of mass would lose its load.
 void sway(BaseAutoCommand& base, const Vector2& sway) noexcept;
 
 }  // namespace hexagait::footstep_gen

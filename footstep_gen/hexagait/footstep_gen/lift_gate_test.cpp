@@ -105,6 +105,12 @@ TEST(LiftGate, SwaysBesideTheAdvance) {
   base.path.v = {1.0, 0.0};
   sway(base, {-0.02, 0.03});
   EXPECT_EQ(base.max_advance, 0.0);
+  base = {};
+  base.path.v = {1.0, 0.0};
+  sway(base, {0.0, 0.0});
+  EXPECT_EQ(base.min_advance, 0.0)
+      << "with a leg in the air the body would go off the feet that stay";
+  EXPECT_GT(base.max_advance, 0.0);
 }
 
 TEST(LiftGate, IsForRobotsThatWouldStandOnTwoFeet) {
