@@ -258,8 +258,10 @@ void Executor::go_on(const RobotState& state, double dt) noexcept {
   set_efforts(state, dt);
 }
 
-// (executor 2). A foot that can't reach its set point says nothing about its load.
+// (executor 2). A foot that can't reach its set point says nothing about its load. The loads of three
+// feet follow from where they are: a robot that has four legs crawls on three, and would tilt and drift.
 void Executor::even_out_loads(const RobotState& state, double dt) noexcept {
+  constexpr double kDeterminate = 3.0;  // feet
   if (!params_.swing.reflexes) return;
   const Vector3 up_B = state.X_OB.R.row(2);
   const auto bears = [this](LegId i) {
@@ -272,7 +274,8 @@ void Executor::even_out_loads(const RobotState& state, double dt) noexcept {
     mean += up_B.dot(off_[i]);
     ++feet;
   }
-  if (feet > 0.0) mean /= feet;
+  if (feet <= 0.0 || (feet <= kDeterminate && legs_.size() - lost_.size() == 4)) return;
+  mean /= feet;
   const double period = std::max(dt, params_.base.displacement_period);
   const double rate = std::min(params_.swing.even_load_rate, kMostLag / (lag_.lag() + period));
   const double share = decay_share(rate * dt);
