@@ -82,6 +82,8 @@ inline void round_script(RobotParams& p) {
   p.script.lift_off_speed = 0.1;
   p.script.touchdown_speed = 0.2;
   p.script.footstep_time = 0.45;
+  p.script.swing_tolerance = 1e-3;
+  p.script.swing_braking = 15.0;
   p.script.target_time = 0.05;
   p.script.base_auto_time = 0.1;
   p.script.base_target_time = 0.7;

@@ -75,7 +75,8 @@ struct StanceOracle {
     const double hip = std::atan2(-p.z(), a) - std::acos(std::clamp(cosine, -1.0, 1.0));
     g.insert(
         g.end(),
-        {d - leg.max_reach + kReachClearance, leg.min_reach + kReachClearance - d,
+        {d - leg.max_reach + kReachClearance * leg.max_reach,
+         leg.min_reach + kReachClearance * leg.max_reach - d,
          yaw - leg.limits[0].upper + kJointClearance, leg.limits[0].lower + kJointClearance - yaw,
          hip - leg.limits[1].upper + kJointClearance, leg.limits[1].lower + kJointClearance - hip});
   }

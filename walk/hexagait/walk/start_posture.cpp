@@ -11,8 +11,8 @@
 namespace hexagait::walk {
 namespace {
 
-constexpr double kClearance = 0.001;  // of legs above the ground [m]
-constexpr int kMaxDraws = 10'000;     // per leg
+constexpr double kClearance = 0.0015;  // of legs above the ground, of their reach
+constexpr int kMaxDraws = 10'000;      // per leg
 
 // How far a shape, rotated by R, reaches below its centre [m].
 double reach_down(const Shape& shape, const Matrix3& R) {
@@ -50,10 +50,12 @@ double lowest(const LegModel& leg, const LegJoints& q, int links) {
   throw InvalidInput(model.name + " can't lie on its belly: leg " + leg.name + " is in the way");
 }
 
+double clearance(const LegModel& leg) { return kClearance * leg.max_reach; }
+
 LegJoints sitting(const RobotModel& model, const LegModel& leg, double depth) {
   const Vector3 p_BF(leg.p_BC.x(), leg.p_BC.y(), model.foot_radius - depth);
   const LegSolution solution = inverse_kinematics(leg, p_BF);
-  if (!solution.reachable || lowest(leg, solution.q, leg.num_joints() - 1) < kClearance - depth)
+  if (!solution.reachable || lowest(leg, solution.q, leg.num_joints() - 1) < clearance(leg) - depth)
     refuse(model, leg);
   return solution.q;
 }
@@ -64,7 +66,7 @@ LegJoints lying(const RobotModel& model, const LegModel& leg, double depth,
     LegJoints q = LegJoints::Zero();
     for (int k = 0; k < leg.num_joints(); ++k)
       q[k] = random.uniform(leg.limits[k].lower, leg.limits[k].upper);
-    if (lowest(leg, q, leg.num_joints()) > kClearance - depth) return q;
+    if (lowest(leg, q, leg.num_joints()) > clearance(leg) - depth) return q;
   }
   refuse(model, leg);
 }

@@ -18,7 +18,8 @@ constexpr int kMaxDescents = 4;      // each without one more leg
 constexpr double kConverged = 1e-6;  // size of the last step [m], [rad]
 constexpr double kMaxTurn = 0.5;     // rotation in one step [rad]
 constexpr double kDamping = 1e-7;    // of H: keeps what the feet do not determine
-constexpr double kNear = 0.15;       // limits farther away are left out [m], [rad]
+constexpr double kNearAngle = 0.15;  // limits of joints farther away are left out [rad]
+constexpr double kNearReach = 0.25;  // ends of the reach farther away are left out, of the reach
 constexpr double kFarAway = 1e6;     // feet are clamped to this, so that squares stay finite [m]
 
 /// The pose of the base, by its centre of mass M. Origin: the base before the search; axes of odom.
@@ -151,9 +152,10 @@ struct Rows {
     }
     return legs;
   }
-  // Adds gradientᵀ f' ≤ gradientᵀ f + slack for the foot f, unless the limit is far away.
-  void add_limit(const Vector3& gradient_B, const Vector3& f, double slack, LegId leg) {
-    if (slack > kNear) return;
+  // Adds gradientᵀ f' ≤ gradientᵀ f + slack for the foot f, unless the limit is not near.
+  void add_limit(const Vector3& gradient_B, const Vector3& f, double slack, double near,
+                 LegId leg) {
+    if (slack > near) return;
     add((Vector6() << -gradient_B, gradient_B.cross(f)).finished(), slack, leg);
   }
 };
@@ -197,11 +199,22 @@ struct Clear {
   std::array<End, kMaxLegs> ends;
 };
 
+double near_reach(const LegModel& leg) { return kNearReach * leg.max_reach; }
+double reach_clearance(const LegModel& leg) { return kReachClearance * leg.max_reach; }
+
+// How far a foot whose leg has no limit near may move before it is looked at again [m]: half the way to
+// the nearest that there can be, as its gradients hold only here.
+// @param rate  by which the joints turn per metre [rad/m]
+double clear_radius(const LegModel& leg, double rate) {
+  return 0.5 * std::min(near_reach(leg), kNearAngle / rate);
+}
+
 // The two ends of a leg's reach, for its foot f at a distance along a unit vector.
 void add_reach(Rows& rows, const LegModel& leg, LegId i, const Vector3& f, double distance,
                const Vector3& direction_B) {
-  rows.add_limit(direction_B, f, leg.max_reach - kReachClearance - distance, i);
-  rows.add_limit(-direction_B, f, distance - leg.min_reach - kReachClearance, i);
+  const double near = near_reach(leg), clearance = reach_clearance(leg);
+  rows.add_limit(direction_B, f, leg.max_reach - clearance - distance, near, i);
+  rows.add_limit(-direction_B, f, distance - leg.min_reach - clearance, near, i);
 }
 
 // The limits of a serial leg: its reach and, where inverse kinematics failed to reach the foot, the
@@ -219,18 +232,20 @@ void add_serial_leg(Rows& rows, const Stance& stance, const Iterate& at, LegId i
   const Vector3 reached = foot_position(leg, solution.trig) - stance.model.p_BM;
   if (!solution.reachable) end = {(f - reached).normalized(), reached};
   if (!end.normal.isZero())
-    rows.add_limit(end.normal, f, end.normal.dot(end.reached - f) - kReachClearance, i);
+    rows.add_limit(end.normal, f, end.normal.dot(end.reached - f) - reach_clearance(leg),
+                   near_reach(leg), i);
 
   // How far the joints may turn, and how fast they do as the foot moves.
-  double slack = kNear;
+  double slack = kNearAngle;
   for (int k = 0; k < leg.num_joints(); ++k)
     slack =
         std::min({slack, solution.q[k] - leg.limits[k].lower, leg.limits[k].upper - solution.q[k]});
   const LegJacobian J = foot_jacobian(leg, solution.trig);
   const Matrix3 JJ = J * J.transpose() + 1e-12 * Matrix3::Identity();
-  const double rate = std::max(1.0, std::sqrt(JJ.inverse().trace()));
-  const bool is_clear = solution.reachable && slack >= kNear && rows.program.size == rows_before;
-  clear.note(i, f, is_clear ? 0.5 * kNear / rate : 0.0);
+  const double rate = std::sqrt(JJ.inverse().trace());
+  const bool is_clear =
+      solution.reachable && slack >= kNearAngle && rows.program.size == rows_before;
+  clear.note(i, f, is_clear ? clear_radius(leg, rate) : 0.0);
 }
 
 // Both limits of a joint of a yaw-pitch-pitch leg, linearised.
@@ -243,8 +258,8 @@ void add_joint(Rows& rows, const LegModel& leg, LegId i, const Vector3& f, int j
   if (limits.upper - limits.lower >= 2.0 * std::numbers::pi - 1e-9) return;
   const double sign = leg.joint_sign[joint], wanted = q + sign * excess;
   const Vector3 turn_B = sign * (leg.X_BH.R * turn_H);
-  rows.add_limit(turn_B, f, limits.upper - kJointClearance - wanted, i);
-  rows.add_limit(-turn_B, f, wanted - limits.lower - kJointClearance, i);
+  rows.add_limit(turn_B, f, limits.upper - kJointClearance - wanted, kNearAngle, i);
+  rows.add_limit(-turn_B, f, wanted - limits.lower - kJointClearance, kNearAngle, i);
 }
 
 // The limits of a yaw-pitch-pitch leg: its reach, and yaw and hip, whose gradients are rows of the
@@ -266,7 +281,7 @@ void add_yaw_pitch_pitch_leg(Rows& rows, const Stance& stance, const Iterate& at
     add_reach(rows, leg, i, f, d,
               leg.X_BH.R * ((a / d) * out_H + (p_H.z() / d) * Vector3::UnitZ()));
 
-  if (std::abs(r) > kReachClearance)
+  if (std::abs(r) > reach_clearance(leg))
     add_joint(rows, leg, i, f, 0, solution.q[0], left_H / r, left_H.dot(p_H) / r);
 
   const double shin_r = leg.tibia * t.c[2], shin_h = -leg.tibia * t.s[2];
@@ -277,10 +292,9 @@ void add_yaw_pitch_pitch_leg(Rows& rows, const Stance& stance, const Iterate& at
   add_joint(rows, leg, i, f, 1, solution.q[1], turn_H,
             (-shin_r * (a - reached_a) - shin_h * (p_H.z() - reached_h)) / det);
 
-  // All limits are farther away than kNear; half of that, as these gradients hold only here.
-  const double rate = std::max({1.0, 1.0 / std::abs(r), leg.tibia / std::abs(det)});
+  const double rate = std::max(1.0 / std::abs(r), leg.tibia / std::abs(det));
   const bool is_clear = solution.reachable && rows.program.size == rows_before;
-  clear.note(i, f, is_clear ? 0.5 * kNear / rate : 0.0);
+  clear.note(i, f, is_clear ? clear_radius(leg, rate) : 0.0);
 }
 
 void add_leg(Rows& rows, const Stance& stance, const Iterate& at, LegId i, Clear& clear) {

@@ -10,7 +10,7 @@
 namespace hexagait {
 
 inline constexpr double kMaxTilt = 0.6;          ///< of the base from the horizontal [rad]
-inline constexpr double kReachClearance = 5e-4;  ///< kept from the ends of a leg's reach [m]
+inline constexpr double kReachClearance = 1e-3;  ///< kept from the ends of a leg's reach, of it
 inline constexpr double kJointClearance = 1e-3;  ///< kept from the limits of yaw and hip [rad]
 
 /// Weight of vertical against horizontal errors in (stance 1): height and tilt follow the heights
@@ -24,7 +24,7 @@ struct StanceProblem {
   LegSet reach;            ///< legs that the pose is adapted to
   LegSet support;          ///< legs whose support polygon must contain the centre of mass
   double height = 0.0;     ///< desired, above the mean height of the feet in `reach` [m]
-  double margin = 0.04;    ///< desired, of the centre of mass from the edges of the polygon [m]
+  double margin = 0.0;     ///< desired, of the centre of mass from the edges of the polygon [m]
   Pose X_OB;               ///< present pose; kept where the feet do not determine the new one
 };
 

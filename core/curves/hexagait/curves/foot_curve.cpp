@@ -8,11 +8,9 @@
 namespace hexagait {
 namespace {
 
-constexpr double kMinDuration = 1e-3;      // [s]
-constexpr double kSameKnot = 1e-3;         // closer knots count as one [m]
-constexpr double kMinBrakeWay = 0.9e-3;    // length of a ramp where the segment has none [m]
-constexpr double kMaxBraking = 15.0;       // of a foot in mid-air, where time allows [m/s²]
-constexpr double kSnap = 1e-3;             // closer nodes are merged, as a fraction of a segment
+constexpr double kMinDuration = 1e-3;  // [s]
+constexpr double kMinBrakeWay = 0.9;   // length of a ramp where the segment has none, tolerances
+constexpr double kSnap = 1e-3;         // closer nodes are merged, as a fraction of a segment
 constexpr std::size_t kMaxSwingNodes = 7;  // five knots and the ends of both ramps
 
 // The polygon of a swing. Axes: x along the chord, z along the normal, origin at the start.
@@ -71,13 +69,13 @@ Polygon swing_polygon(double along, double rise, const FootSwing& swing) {
 }
 
 // The polygon without inner knots that coincide with a neighbour.
-Polygon distinct(const Polygon& all) {
+Polygon distinct(const Polygon& all, double tolerance) {
   Polygon kept;
   kept.p[kept.size++] = all.p[0];
   const Vector3& target = all.p[all.last()];
   for (std::size_t k = 1; k < all.last(); ++k) {
     const Vector3& p = all.p[k];
-    if ((p - kept.p[kept.last()]).norm() < kSameKnot || (p - target).norm() < kSameKnot) continue;
+    if ((p - kept.p[kept.last()]).norm() < tolerance || (p - target).norm() < tolerance) continue;
     kept.p[kept.size++] = p;
   }
   kept.p[kept.size++] = target;
@@ -96,11 +94,12 @@ void set_times(Polygon& polygon, double duration) {
 
 // Time τ in which velocity v and acceleration a ramp to 0 (or from 0, in reverse): such that the
 // longest distance of the ramp, |v| τ/2 + |a| τ²/12, is at most the available one.
-double brake_time(const Vector3& v, const Vector3& a, const Vector3& way, double longest) {
+double brake_time(const Vector3& v, const Vector3& a, const Vector3& way, double longest,
+                  const FootSwing& swing) {
   double time = longest;
   for (int i = 0; i < 3; ++i) {
     const double ahead = std::copysign(1.0, v[i] != 0.0 ? v[i] : a[i]) * way[i];
-    const double available = std::max(ahead, kMinBrakeWay);
+    const double available = std::max(ahead, kMinBrakeWay * swing.tolerance);
     const double half = 0.5 * std::abs(v[i]);
     const double speed = half + std::sqrt(half * half + std::abs(a[i]) * available / 3.0);
     if (2.0 * available < speed * time) time = 2.0 * available / speed;
@@ -108,19 +107,20 @@ double brake_time(const Vector3& v, const Vector3& a, const Vector3& way, double
   return time > (1.0 - kSnap) * longest ? longest : time;
 }
 
-Piece start_brake(const PointState& start, const Polygon& polygon) {
+Piece start_brake(const PointState& start, const Polygon& polygon, const FootSwing& swing) {
   const double longest = polygon.segment_time(0);
-  const double hardest = 1.5 * start.v.norm() / kMaxBraking;
-  const double time =
-      std::min(longest, std::max(hardest, brake_time(start.v, start.a, polygon.p[1], longest)));
+  const double hardest = 1.5 * start.v.norm() / swing.braking;
+  const double soft = brake_time(start.v, start.a, polygon.p[1], longest, swing);
+  const double time = std::min(longest, std::max(hardest, soft));
   const Vector3 way = time * (0.5 * start.v + time / 12.0 * start.a);
   return {{Vector3::Zero(), start.v, start.a}, {way, Vector3::Zero(), Vector3::Zero()}, time};
 }
 
-Piece touchdown_ramp(const Vector3& v, const Polygon& polygon) {
+Piece touchdown_ramp(const Polygon& polygon, const FootSwing& swing) {
+  const Vector3 v(0.0, 0.0, -swing.touchdown_speed);
   const std::size_t k = polygon.last() - 1;
-  const double time =
-      brake_time(v, Vector3::Zero(), polygon.p[k + 1] - polygon.p[k], polygon.segment_time(k));
+  const double time = brake_time(v, Vector3::Zero(), polygon.p[k + 1] - polygon.p[k],
+                                 polygon.segment_time(k), swing);
   return {{}, {0.5 * time * v, v, Vector3::Zero()}, time};
 }
 
@@ -156,11 +156,11 @@ struct SwingTerms {
 SwingTerms swing_terms(const PointState& start, const Vector3& way, const FootSwing& swing,
                        double duration) {
   SwingTerms terms;
-  terms.polygon = distinct(swing_polygon(way.x(), way.z(), swing));
+  terms.polygon = distinct(swing_polygon(way.x(), way.z(), swing), swing.tolerance);
   set_times(terms.polygon, std::max(duration, kMinDuration));
   terms.way = ways(terms.polygon);
-  terms.brake = start_brake(start, terms.polygon);
-  terms.touchdown = touchdown_ramp({0.0, 0.0, -swing.touchdown_speed}, terms.polygon);
+  terms.brake = start_brake(start, terms.polygon, swing);
+  terms.touchdown = touchdown_ramp(terms.polygon, swing);
   terms.way[0] -= terms.brake.to.p;
   terms.way[terms.polygon.last() - 1] -= terms.touchdown.to.p;
   set_velocities(terms.polygon, terms.way);

@@ -14,6 +14,8 @@ struct FootSwing {
   double profile_height = 0.08;  ///< >= 0; of a swing replaced in mid-air, what remains of it [m]
   Vector3 normal = Vector3::UnitZ();  ///< of the ground; of any length
   double touchdown_speed = 0.2;       ///< speed on arrival, against the normal [m/s]
+  double tolerance = 1e-3;            ///< > 0; closer corners count as one [m]
+  double braking = 15.0;              ///< > 0; of a start in mid-air, where time allows [m/s²]
 };
 
 /// max(length of the polygon / average velocity, minimum) [s].
@@ -32,15 +34,16 @@ struct FootSwing {
 /// apex, and on `square` it first moves back.)
 ///
 /// The velocities at the ends are ramped from and to 0 over the first and last segment, or over a
-/// shorter time if the ramp would otherwise need more than the segment's length, at least 0.9 mm.
-/// Worst case: arriving at 0.2 m/s with no descent takes 9 ms and 33 m/s². The start velocity is
-/// braked at no more than 15 m/s² where the first segment lasts long enough; a foot replaced in
-/// mid-air may therefore leave the box by v²/(20 m/s²), and turn back if its target is behind it.
+/// shorter time if the ramp would otherwise need more than the segment's length, or 0.9 tolerances
+/// if that is longer. Worst case: arriving at 0.2 m/s with no descent, tolerance 1 mm, takes 9 ms
+/// and 33 m/s². The start velocity is braked at no more than `braking` where the first segment lasts
+/// long enough; a foot replaced in mid-air may therefore leave the box by 3/4 v²/braking, and turn
+/// back if its target is behind it.
 ///
 /// Segment times are proportional to the square roots of the segment lengths, so that segments from
 /// stop to stop accelerate equally, by 5.77 length/time². Deviation: [FG16]'s implementation takes
 /// times proportional to the lengths, which would lift the foot by 1 cm within 20 ms. Corners
-/// within 1 mm of the next are dropped.
+/// closer to the next than the tolerance are dropped.
 ///
 /// Only reserve() allocates. A value: assignment to a curve of sufficient capacity does not
 /// allocate.

@@ -171,6 +171,8 @@ struct ScriptParams {
   double lift_off_speed = kDerived;    ///< of a footstep, along the normal [m/s]
   double touchdown_speed = kDerived;   ///< of a footstep, against the normal [m/s]
   double footstep_time = kDerived;     ///< shortest footstep [s]
+  double swing_tolerance = kDerived;   ///< closer corners of a footstep's profile count as one [m]
+  double swing_braking = kDerived;     ///< of a foot in mid-air that gets a new footstep [m/s²]
   double target_time = kDerived;       ///< shortest motion to a foot's or joints' target [s]
   double base_auto_time = kDerived;    ///< shortest BaseAuto [s]
   double base_target_time = kDerived;  ///< shortest motion to a base target [s]

@@ -50,6 +50,8 @@ class FootPlanner {
     swing.profile_height = step.profile_height;
     swing.normal = X_OP_.R.transpose() * plan_.normal_O;
     swing.touchdown_speed = params_.script.touchdown_speed;
+    swing.tolerance = params_.script.swing_tolerance;
+    swing.braking = params_.script.swing_braking;
     const double shortest = step.duration.value_or(
         swing_duration(from_.p, swing, step.average_velocity, params_.script.footstep_time));
     if (stands_) from_.v = params_.script.lift_off_speed * swing.normal;
