@@ -45,6 +45,7 @@ class Referee {
   [[nodiscard]] bool fell() const { return summary_.fell; }
   [[nodiscard]] bool stuck() const { return summary_.stuck; }
   [[nodiscard]] double distance() const { return distance_before_ + deviation_.progress; }
+  [[nodiscard]] double turned() const { return turned_; }
 
   [[nodiscard]] Summary summary() const;
 

@@ -36,6 +36,10 @@ Measurement settled(footstep_gen::Walker& walker, Plant& plant, double seconds) 
   return measurement;
 }
 
+bool there(const Referee& referee, const TrialOptions& options) {
+  return referee.distance() >= options.distance || std::abs(referee.turned()) >= options.turn;
+}
+
 }  // namespace
 
 Summary run_trial(footstep_gen::Walker& walker, Plant& plant, const GroundTruth& truth,
@@ -76,7 +80,7 @@ Summary run_trial(footstep_gen::Walker& walker, Plant& plant, const GroundTruth&
     plant.write(record.targets);
     referee.observe(record, truth);
     if (observer) observer(record, truth, referee);
-    const bool arrived = referee.distance() >= options.distance;
+    const bool arrived = there(referee, options);
     const bool at_end = pilot && pilot->stands_at_end(walker);
     if (arrived || at_end || referee.fell() || referee.stuck() ||
         record.fault != footstep_gen::Fault::none)
@@ -85,7 +89,7 @@ Summary run_trial(footstep_gen::Walker& walker, Plant& plant, const GroundTruth&
   }
 
   Summary summary = referee.summary();
-  summary.arrived = pilot ? pilot->progress().arrived : referee.distance() >= options.distance;
+  summary.arrived = pilot ? pilot->progress().arrived : there(referee, options);
   if (summary.path) summary.path->arrived = summary.arrived;
   const double processor = processor_seconds() - processor_start;
   summary.real_time_factor = processor > 0.0 ? summary.seconds / processor : 0.0;

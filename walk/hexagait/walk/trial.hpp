@@ -22,6 +22,8 @@ struct TrialOptions {
   LocalisedBy localised_by = LocalisedBy::odometry;           ///< of who follows a path
   double seconds = 40.0;                                      ///< time limit [s]
   double distance = std::numeric_limits<double>::infinity();  ///< path limit [m]
+  double turn =
+      std::numeric_limits<double>::infinity();  ///< limit of the turn, to either side [rad]
   /// Bound of the speed along the path, at the farthest workspace centre [m/s].
   double speed = std::numeric_limits<double>::infinity();
   RefereeParams referee;  ///< see params_for()
@@ -32,7 +34,7 @@ struct TrialOptions {
 using Observer =
     std::function<void(const footstep_gen::TickRecord&, const GroundTruth&, const Referee&)>;
 
-/// Walks in a loop of plant, controller and referee, until the time or path limit, the end of the path, a
+/// Walks in a loop of plant, controller and referee, until the time, path or turn limit, the end of the path, a
 /// fall, a fault or until it is stuck.
 /// @param truth  the plant's ground truth, updated by its write()
 /// @throws InvalidInput  if the schedule is empty

@@ -103,6 +103,16 @@ TEST(Trial, EndsAtTheDistanceAskedFor) {
   EXPECT_NEAR(s.distance, 0.5, 0.002);
 }
 
+// An arc of 2 m radius turns by 0.2 rad over 0.4 m; a tick is 0.6 mrad at most.
+TEST(Trial, EndsAtTheTurnAskedFor) {
+  TrialOptions options = arc_for(20.0);
+  options.turn = 0.2;
+  const Summary s = walk_for(options, 1);
+  EXPECT_TRUE(s.arrived);
+  EXPECT_LT(s.seconds, 10.0);
+  EXPECT_NEAR(std::abs(s.turned), 0.2, 0.001);
+}
+
 // A plant that never says anything new, or is gone.
 class BrokenPlant : public Plant {
  public:

@@ -54,17 +54,16 @@ recording::Simulation walk_of(const RobotHeading& heading, const RobotScale& sca
   simulation.trial.seconds = std::max(heading.distance, heading.turn * scale.outer) / pace;
   if (heading.distance > 0.0)
     simulation.trial.distance = heading.distance;
-  else  // nothing ends a spin but its time
-    simulation.trial.seconds *= 0.5;
+  else
+    simulation.trial.turn = heading.turn;
   return simulation;
 }
 
 WalkEnd end_of(const walk::Summary& s, const RobotHeading& heading, const RobotModel& robot) {
-  const bool there = heading.distance > 0.0 ? s.arrived : std::abs(s.turned) >= heading.turn - 1e-9;
   WalkEnd end{.outcome = s.fell                                 ? "fell"
                          : s.fault != footstep_gen::Fault::none ? "fault"
                          : s.stuck                              ? "stuck"
-                         : there                                ? "walked"
+                         : s.arrived                            ? "walked"
                                                                 : "too slow",
               .seconds = s.seconds};
   end.way = heading.distance > 0.0 ? s.distance : std::abs(s.turned) * scale_of(robot).outer;
