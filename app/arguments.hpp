@@ -28,7 +28,7 @@ struct WalkArguments {
   std::string random_posture, physics_step, control_period;
   bool no_contacts = false, no_joint_feedback = false;
   PlantArguments plant;
-  bool json = false, quiet = false;
+  bool json = false, quiet = false, teleop = false;
   std::string plot, trace, movie, record, html;
 };
 

@@ -21,6 +21,9 @@ inline constexpr int kInterrupted = 130;  ///< by Ctrl-C
 /// `hexagait walk`. @throws InvalidInput
 int walk_command(const WalkArguments& arguments);
 
+/// `hexagait walk --teleop`: steered by the keys of the terminal. @throws InvalidInput
+int teleop_command(const WalkArguments& arguments);
+
 /// `hexagait check`: 0 if nothing is wrong. @throws InvalidInput
 int check_command(const ActionArguments& arguments);
 
@@ -38,6 +41,7 @@ struct ExperimentArguments {
   std::string shard;           ///< of rough: k/n; empty: all
   bool list = false, short_form = false, json = false, quiet = false;
   PlantArguments plant;
+  std::string record, html;  ///< of the walk that it shows
 };
 
 /// `hexagait experiment`: 0 if each claim holds, or fails as it was declared to. @throws InvalidInput

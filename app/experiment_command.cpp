@@ -17,6 +17,7 @@
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "progress.hpp"
+#include "replay_output.hpp"
 #include "sweep_command.hpp"
 
 namespace hexagait::app {
@@ -76,6 +77,23 @@ sweep::Shard part_of(const std::string& text, const std::vector<Experiment>& sel
   return shard(text);
 }
 
+// The replay that was asked for, if this is one experiment with a walk to show.
+ReplayOutput replay_of(const std::vector<Experiment>& selection,
+                       const ExperimentArguments& arguments) {
+  ReplayOutput replay(arguments.record, arguments.html);
+  if (!replay.wanted()) return replay;
+  const char* const option = arguments.html.empty() ? "--record" : "--html";
+  if (selection.size() > 1)
+    throw InvalidInput(fmt::format("{} shows one walk; name one experiment, not all", option));
+  if (!selection.front().shows.empty()) return replay;
+  std::vector<std::string> others;
+  for (const Experiment& other : experiments::experiments())
+    if (!other.shows.empty()) others.push_back(other.name);
+  throw InvalidInput(
+      fmt::format("{}: {} has no walk in 3D that stands for it; those that have one are {}", option,
+                  selection.front().name, fmt::join(others, ", ")));
+}
+
 void print(const Manifest& manifest, const std::filesystem::path& out) {
   print_out(fmt::format("{}\n", manifest.title));
   if (!manifest.outcome.left.empty()) {
@@ -98,6 +116,7 @@ int experiment_command(const ExperimentArguments& arguments) {
   const std::uint64_t robots = how_many("--robots", arguments.robots, "random_robots", selection);
   const std::uint64_t seeds = how_many("--seeds", arguments.seeds, "rough", selection);
   const sweep::Shard part = part_of(arguments.shard, selection);
+  ReplayOutput replay = replay_of(selection, arguments);
   const RobotModel robot = load_urdf(robot_file("argos"));
   figures::require_gnuplot();
   const std::atomic<bool>& interrupted = watch_interrupts();
@@ -117,6 +136,7 @@ int experiment_command(const ExperimentArguments& arguments) {
       if (!arguments.quiet)
         context.say = [](const std::string& text) { fmt::print(stderr, "{}\n", text); };
       context.plant = plant;
+      if (replay.wanted()) context.spectator = &replay;
       manifests.push_back(run(experiment, context, arguments.out));
     });
     if (!problem.empty())
@@ -125,6 +145,10 @@ int experiment_command(const ExperimentArguments& arguments) {
     if (interrupted) return kInterrupted;
     if (!arguments.json) print(manifests.back(), arguments.out);
   }
+  replay.finish();
+  if (!arguments.json)
+    for (const auto& [option, file] : replay.files())
+      print_out(fmt::format("  {}: {}\n", selection.front().shows, file->path.string()));
 
   if (arguments.name == "all") experiments::write_page(manifests, arguments.out);
 

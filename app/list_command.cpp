@@ -178,7 +178,8 @@ List experiments_list() {
   List list;
   for (const experiments::Experiment& experiment : experiments::experiments()) {
     list.text += fmt::format("{:<14} {}\n", experiment.name, experiment.title);
-    list.json.push_back({{"name", experiment.name}, {"title", experiment.title}});
+    list.json.push_back(
+        {{"name", experiment.name}, {"title", experiment.title}, {"shows", experiment.shows}});
   }
   return list;
 }

@@ -31,7 +31,8 @@ void add_experiment(CLI::App& app, ExperimentArguments& a) {
       "On another plant than the ideal one no claim is judged; what was measured is told.\n\n"
       "Examples:\n  hexagait experiment fig9 --out results\n  hexagait experiment all --short\n"
       "  hexagait experiment walks --plant real\n"
-      "  hexagait experiment rough --seeds 20 --out results\n\n"
+      "  hexagait experiment rough --seeds 20 --out results\n"
+      "  hexagait experiment fig9 --html fig9.html       the walk as a page; see docs/replay.md\n\n"
       "Exit status: 0 every claim holds, or fails within the band that is declared for it; 1 one\n"
       "does not, or holds unexpectedly; 2 bad usage or input; 130 Ctrl-C. `all` also writes "
       "index.html, a page that shows them.");
@@ -60,6 +61,7 @@ void add_experiment(CLI::App& app, ExperimentArguments& a) {
                        "Some seconds each; claims that need the full length are not judged");
   experiment->add_flag("--json", a.json, "Print the verdicts as one JSON object");
   experiment->add_flag("--quiet", a.quiet, "No progress on stderr");
+  add_replay_files(*experiment, a.record, a.html);
   add_plant(*experiment, a.plant);
 }
 

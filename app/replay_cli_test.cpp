@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "cli_fixture.hpp"
@@ -43,6 +44,34 @@ TEST_F(Replay, OfAWalkThatIsSteeredTellsWhatIsInIt) {
   EXPECT_GT(json["frames"].get<int>(), 10);
 }
 
+// A walk that an experiment has to show is one walk, from its beginning.
+TEST_F(Replay, OfAnExperimentIsTheWalkThatItShows) {
+  std::map<std::string, nlohmann::json> shown;
+  for (const auto& experiment : nlohmann::json::parse(run("list experiments --json").out)) {
+    if (experiment["shows"].get<std::string>().empty()) continue;
+    const auto name = experiment["name"].get<std::string>();
+    const Result result =
+        run("experiment " + name + " --short --quiet --record " + name + ".replay");
+    ASSERT_EQ(result.status, 0) << name << result.err;
+    EXPECT_THAT(result.out, HasSubstr(experiment["shows"].get<std::string>()));
+    const auto replay = nlohmann::json::parse(run("replay " + name + ".replay --json").out);
+    EXPECT_EQ(replay["scenes"], 1) << name;
+    EXPECT_GT(replay["seconds"].get<double>(), 3.0) << name;
+    shown[name] = replay;
+  }
+  EXPECT_GE(shown.size(), 9U);
+  EXPECT_EQ(shown["fig10"]["terrain"], "boxes:0.15");
+  EXPECT_NEAR(shown["fig10"]["seconds"].get<double>(), 10.0, 0.1);
+  EXPECT_EQ(shown["fig12"]["robot"], "lauron");
+}
+
+TEST_F(Replay, IsRefusedByAnExperimentWithoutAWalkToShow) {
+  refuses("experiment table1 --record w.replay", {"--record: table1 has no walk", "fig9", "path"});
+  refuses("experiment fig7_physics --record w.replay", {"fig7_physics"});
+  refuses("experiment all --record w.replay", {"--record shows one walk", "not all"});
+  refuses("experiment fig9 --record w.txt", {"--record is 'w.txt'"});
+}
+
 TEST_F(Replay, RefusesWhatItCannotPlay) {
   ASSERT_EQ(run("walk --seconds 1 --quiet --record ../w.replay").status, 0);
   const std::string whole = content(here().parent_path() / "w.replay");
@@ -73,6 +102,9 @@ TEST_F(Replay, BecomesAPageOfOneFile) {
     GTEST_SKIP() << walk.err;
   ASSERT_EQ(walk.status, 0) << walk.err;
   ASSERT_EQ(run("replay w.replay --html again.html").status, 0);
+  ASSERT_EQ(run("experiment fig9 --short --quiet --html fig9.html").status, 0);
+  EXPECT_TRUE(content(here() / "fig9.html").starts_with("<!doctype html>"));
+  EXPECT_LT(fs::file_size(here() / "fig9.html"), 1000000U);
   EXPECT_EQ(content(here() / "w.html"), content(here() / "again.html"));
   EXPECT_TRUE(content(here() / "w.html").starts_with("<!doctype html>"));
 }
@@ -81,6 +113,7 @@ TEST_F(Replay, SaysWhatItLacks) {
   refuses("replay w.replay", {"libwebsockets-dev", "zlib1g-dev"});
   refuses("walk --record w.replay", {"--record", "zlib1g-dev"});
   refuses("walk --html w.html", {"--html", "zlib1g-dev"});
+  refuses("experiment fig9 --html w.html", {"--html", "zlib1g-dev"});
 }
 #endif
 

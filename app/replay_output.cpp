@@ -2,41 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "replay_output.hpp"
 
-#include <fmt/format.h>
-
-#include <hexagait/text/invalid_input.hpp>
-#include <hexagait/viewer/page_files.hpp>
-#include <hexagait/viewer/replay_page.hpp>
 #include <hexagait/viewer/walk_recorder.hpp>
-#include <sstream>
 
 #include "output.hpp"
+#include "replay_files.hpp"
 
 namespace hexagait::app {
 
 class ReplayOutput::Impl {
  public:
-  Impl(const std::string& record, const std::string& html)
-      : record_(output_file("--record", record, {".replay"})),
-        html_(output_file("--html", html, {".html"})) {
-    if (html_ && viewer::page_files().empty())
-      throw InvalidInput(fmt::format("--html: {}", viewer::kNoPage));
-    if (record_ && !html_) file_ = record_->files.open(record_->path.filename());
-  }
+  Impl(const std::string& record, const std::string& html) : files_(record, html) {}
 
-  [[nodiscard]] std::vector<std::pair<const char*, const OutputFile*>> files() const {
-    std::vector<std::pair<const char*, const OutputFile*>> all;
-    if (record_) all.emplace_back("--record", &*record_);
-    if (html_) all.emplace_back("--html", &*html_);
-    return all;
-  }
+  [[nodiscard]] const ReplayFiles& files() const { return files_; }
 
-  // A page has all of the replay in it, so it is kept; else it goes to its file as it comes.
   void begin(const RobotModel& robot, const recording::Simulation& simulation) {
-    write([&] {
-      std::ostream& out = html_ ? static_cast<std::ostream&>(kept_) : file_;
-      recorder_.emplace(out, robot, simulation);
-    });
+    write([&] { recorder_.emplace(files_.stream(), robot, simulation); });
   }
 
   template <class... Tick>
@@ -46,14 +26,7 @@ class ReplayOutput::Impl {
 
   void finish() {
     write([&] { recorder_->finish(); });
-    if (!problem_.empty()) refuse_output("--record", *record_, problem_);
-    if (html_) write_text("--html", *html_, viewer::replay_page(kept_.view()));
-    if (html_ && record_) write_text("--record", *record_, kept_.view());
-    if (html_ || !record_) return;
-    write_output("--record", *record_, [&] {
-      file_.close();
-      record_->files.publish();
-    });
+    files_.finish(problem_);
   }
 
  private:
@@ -61,9 +34,7 @@ class ReplayOutput::Impl {
     if (problem_.empty()) problem_ = write_problem(what);
   }
 
-  std::optional<OutputFile> record_, html_;
-  std::ofstream file_;
-  std::ostringstream kept_;
+  ReplayFiles files_;
   std::optional<viewer::WalkRecorder> recorder_;
   std::string problem_;  // why the replay could not be written any further
 };
@@ -76,7 +47,7 @@ ReplayOutput::ReplayOutput(ReplayOutput&&) noexcept = default;
 
 std::vector<std::pair<const char*, const OutputFile*>> ReplayOutput::files() const {
   if (!impl_) return {};
-  return impl_->files();
+  return impl_->files().files();
 }
 
 void ReplayOutput::begin(const RobotModel& robot, const recording::Simulation& simulation) {

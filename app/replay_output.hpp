@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/recording/simulation.hpp>
-#include <hexagait/script/action_runner.hpp>
+#include <hexagait/experiments/experiment.hpp>
 #include <memory>
 #include <string>
 #include <utility>
@@ -14,13 +13,13 @@
 namespace hexagait::app {
 
 /// The replay that --record and --html write of what is simulated, or none.
-class ReplayOutput {
+class ReplayOutput : public experiments::Spectator {
  public:
   /// @param record, html  names of the files; empty: none
   /// @throws InvalidInput  for a name that can't be written, or if this hexagait has no viewer, or
   ///                       no page for --html
   ReplayOutput(const std::string& record, const std::string& html);
-  ~ReplayOutput();
+  ~ReplayOutput() override;
   ReplayOutput(ReplayOutput&&) noexcept;
   ReplayOutput& operator=(ReplayOutput&&) = delete;
 
@@ -28,12 +27,12 @@ class ReplayOutput {
   /// Options and their files.
   [[nodiscard]] std::vector<std::pair<const char*, const OutputFile*>> files() const;
 
-  /// Before the first tick. @param robot  must outlive it
-  void begin(const RobotModel& robot, const recording::Simulation& simulation);
-  /// After every tick of a walk, or of an action. What can't be written is told in the end.
+  void begin(const RobotModel& robot, const recording::Simulation& simulation) override;
+  /// What can't be written is told in the end.
   void observe(const footstep_gen::TickRecord& record, const GroundTruth& truth,
-               const walk::Referee& referee, const sim3d::World& world);
-  void observe(const ActionRecord& record, const GroundTruth& truth, const sim3d::World& world);
+               const walk::Referee& referee, const sim3d::World& world) override;
+  void observe(const ActionRecord& record, const GroundTruth& truth,
+               const sim3d::World& world) override;
   /// @throws InvalidInput  naming the file that could not be written
   void finish();
 

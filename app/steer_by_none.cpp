@@ -4,6 +4,7 @@
 
 #include <hexagait/text/invalid_input.hpp>
 
+#include "commands.hpp"
 #include "replay_options.hpp"
 #include "replay_output.hpp"
 #include "steer_options.hpp"
@@ -22,6 +23,8 @@ namespace {
 }  // namespace
 
 int steer_command(const SteerArguments& /*arguments*/) { refuse("steer"); }
+
+int teleop_command(const WalkArguments& /*arguments*/) { refuse("--teleop"); }
 
 int replay_command(const ReplayArguments& /*arguments*/) { refuse("replay"); }
 

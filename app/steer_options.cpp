@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "steer_options.hpp"
 
+#include "replay_options.hpp"
 #include "usage.hpp"
 
 namespace hexagait::app {
@@ -55,10 +56,7 @@ void add_steer(CLI::App& app, SteerArguments& a) {
   steer->add_flag("--headless", a.headless, "No page: only walk");
   steer->add_option("--seconds", a.walk.seconds, "End after so long; default: with Ctrl-C")
       ->type_name("TIME");
-  steer
-      ->add_option("--record", a.walk.record,
-                   "Write what the page is sent as a file for hexagait replay: .replay")
-      ->type_name("FILE");
+  add_replay_files(*steer, a.walk.record, a.walk.html);
   steer->add_flag("--json", a.walk.json, "At the end, print one JSON object");
   steer->add_flag("--quiet", a.walk.quiet, "Say nothing but the address");
   group(*steer, "Page");

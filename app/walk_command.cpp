@@ -128,6 +128,7 @@ std::string in_print(const WalkArguments& arguments, const WalkReport& report,
 }  // namespace
 
 int walk_command(const WalkArguments& arguments) {
+  if (arguments.teleop) return teleop_command(arguments);
   std::optional<sim2d::GenghisTrial> genghis;
   if (arguments.robot == kGenghis) genghis = genghis_trial(arguments);
   const RobotModel robot = genghis

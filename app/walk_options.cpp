@@ -25,6 +25,10 @@ Examples:
   hexagait walk --random-commands 5 --plot walk.svg --trace walk.csv
   hexagait walk --terrain boxes:10cm --html walk.html
                                                     a page that plays it, from disk
+  hexagait walk --teleop --terrain boxes:10cm       steered by keys, in real time: W S A D Q E X
+
+With --teleop it walks without an end, or --seconds; the keys are shown, and are those of hexagait
+steer (docs/steer.md). Ctrl-C ends it with status 0, or 1 if the robot lies there.
 
 Exit status: 0 walked to the end; 1 fell, stuck, fault, or did not arrive in time;
 2 bad usage or input, or a file or stdout that can't be written; 130 Ctrl-C.)";
@@ -135,6 +139,17 @@ void add_output(CLI::App& walk, WalkArguments& a) {
   add_replay_files(walk, a.record, a.html);
 }
 
+// What a walk that is steered by keys can't have: another source of headings, an end by distance, files
+// that are made of a whole walk.
+void add_teleop(CLI::App& walk, WalkArguments& a) {
+  auto* teleop =
+      walk.add_flag("--teleop", a.teleop, "Walk in real time, steered by the keys of the terminal");
+  for (const char* const option :
+       {"--commands", "--random-commands", "--path", "--facing", "--localise", "--look-ahead",
+        "--laps", "--distance", "--random-posture", "--speed", "--plot", "--movie", "--trace"})
+    teleop->excludes(walk.get_option(option));
+}
+
 }  // namespace
 
 void add_walk(CLI::App& app, WalkArguments& a) {
@@ -160,6 +175,8 @@ void add_walk(CLI::App& app, WalkArguments& a) {
   add_plant(*walk, a.plant);
   add_output(*walk, a);
   group(*walk, "Results");
+  add_teleop(*walk, a);
+  group(*walk, "Steering by keys");
   add_robot_overrides(*walk, a.overrides);
 }
 

@@ -41,4 +41,24 @@ Manifest run(const Experiment& experiment, const ExperimentContext& asked, const
   return manifest;
 }
 
+void Spectator::begin_action(const RobotModel& robot, const sim3d::WorldParams& world) {
+  recording::Simulation simulation;
+  simulation.seed = world.seed;
+  simulation.control_dt = world.control_dt;
+  begin(robot, simulation);
+}
+
+walk::Summary simulate_shown(const RobotModel& robot, const recording::Simulation& simulation,
+                             const walk::Observer& observer, const ExperimentContext& context) {
+  if (context.spectator == nullptr)
+    return recording::simulate(robot, simulation, observer, context.stop);
+  context.spectator->begin(robot, simulation);
+  const auto observe = [&](const auto& record, const auto& truth, const auto& referee,
+                           const sim3d::World& world) {
+    if (observer) observer(record, truth, referee);
+    context.spectator->observe(record, truth, referee, world);
+  };
+  return recording::simulate_in_world(robot, simulation, observe, context.stop);
+}
+
 }  // namespace hexagait::experiments

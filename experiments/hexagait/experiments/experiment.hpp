@@ -5,10 +5,32 @@
 #include <functional>
 #include <hexagait/experiments/manifest.hpp>
 #include <hexagait/figures/figure.hpp>
+#include <hexagait/recording/simulation.hpp>
+#include <hexagait/script/action_runner.hpp>
 #include <string>
 #include <vector>
 
 namespace hexagait::experiments {
+
+/// Watches the walk, or the action, that stands for an experiment: what a replay of it is made of.
+/// Calls may come from another thread, but all from the same one.
+class Spectator {
+ public:
+  Spectator() = default;
+  Spectator(Spectator&&) noexcept = default;
+  virtual ~Spectator() = default;
+
+  /// Before the first tick. @param robot  must outlive the last observe()
+  virtual void begin(const RobotModel& robot, const recording::Simulation& simulation) = 0;
+  /// After every tick of a walk, or of an action.
+  virtual void observe(const footstep_gen::TickRecord& record, const GroundTruth& truth,
+                       const walk::Referee& referee, const sim3d::World& world) = 0;
+  virtual void observe(const ActionRecord& record, const GroundTruth& truth,
+                       const sim3d::World& world) = 0;
+
+  /// begin() of an action in a world of these parameters.
+  void begin_action(const RobotModel& robot, const sim3d::WorldParams& world);
+};
 
 /// What an experiment is given.
 struct ExperimentContext {
@@ -30,6 +52,8 @@ struct ExperimentContext {
   /// Where its files will be; what is kept there meanwhile, an experiment removes in the end.
   std::filesystem::path directory = {};
   recording::PlantSetup plant = {};  ///< of the walks; claims are made for the ideal one
+  /// Of the walk that Experiment::shows names; null: nobody watches.
+  Spectator* spectator = nullptr;
 
   /// Whether it is to end early.
   [[nodiscard]] bool stopped() const { return stop != nullptr && stop->load(); }
@@ -53,7 +77,15 @@ struct Experiment {
   std::string title;  ///< one line
   Outcome (*run)(const ExperimentContext& context, figures::StagedFiles& files);
   bool takes_plant = false;  ///< its walks are on ExperimentContext::plant
+  /// The walk that ExperimentContext::spectator sees, in words; empty: there is none.
+  std::string shows = {};
 };
+
+/// recording::simulate() of the walk that the context's spectator sees.
+[[nodiscard]] walk::Summary simulate_shown(const RobotModel& robot,
+                                           const recording::Simulation& simulation,
+                                           const walk::Observer& observer,
+                                           const ExperimentContext& context);
 
 /// Runs one into a directory of its name in `out`, which is made: figures, tables, manifest.json.
 /// Nothing is written if it is stopped.

@@ -86,8 +86,9 @@ export class World {
   /** As far away as a robot of this size needs, the more so on a narrow screen. */
   stepBack(size) { this.view.distance = 3.4 * Math.max(0.25, size) * Math.max(1, 0.8 / this.camera.aspect); }
 
-  /** Follows a point, softly. */
+  /** Follows a point, softly; a camera that is to be still stays where it is. */
   follow(p, share) {
+    if (this.view.still) return;
     this.focus.lerp(new Vector3(p[0], p[1], 0.55 * p[2] + 0.05), share);
   }
 

@@ -5,7 +5,7 @@
 # Usage: run.sh PROGRAM [DIR]
 #
 # Tests the page of `PROGRAM steer` and `PROGRAM replay` in Debian's Chromium, without a window; leaves pictures in DIR
-# (out/steer), and what it measured. Needs Node.js, npm and Chromium.
+# (out/steer), among them the film of the README, steer.gif, and what it measured. Needs Node.js, npm and Chromium.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)

@@ -23,6 +23,7 @@ const Route kRoute = {};
 const std::array<PlanarPose, 4> kStarts = {
     {{0.0, {0.0, 0.0}}, {0.07, {-0.08, 0.05}}, {-0.10, {0.06, -0.06}}, {0.10, {-0.05, -0.08}}}};
 constexpr std::size_t kBlocked = 3;  // the trial with a blocked foothold
+constexpr std::size_t kShown = 0;    // the trial that the experiment shows
 
 // A push every 2.5 s, of half the robot's weight: left, right, back, left.
 const std::array<Vector3, 4> kPushes = {
@@ -59,8 +60,11 @@ Climb climb(std::size_t trial, const ExperimentContext& context,
 
   Climb climb;
   ActionRunner runner(robot);
+  Spectator* const spectator = trial == kShown ? context.spectator : nullptr;
+  if (spectator != nullptr) spectator->begin_action(robot, params);
   double next_push = kPushPeriod + 0.3 * static_cast<double>(trial);
-  const auto observe = [&](const ActionRecord&, const GroundTruth& truth) {
+  const auto observe = [&](const ActionRecord& record, const GroundTruth& truth) {
+    if (spectator != nullptr) spectator->observe(record, truth, world);
     climb.tracks.observe(runner, runner.frames().X_OM, truth);
     if (truth.time >= next_push && climb.pushed_at.size() < kPushes.size()) {
       world.push(kPushes[climb.pushed_at.size()], kPushSeconds);

@@ -44,6 +44,8 @@ Walk walk(Map map, const ExperimentContext& context) {
 
   Walk walk;
   ActionRunner runner(robot);
+  Spectator* const spectator = map == Map::combined ? context.spectator : nullptr;
+  if (spectator != nullptr) spectator->begin_action(robot, params);
   JumpingLocalisation localisation({.seed = kSeed});
   std::optional<Pose> X_OM_start;
   walk::ActionTrialOptions options;
@@ -51,7 +53,8 @@ Walk walk(Map map, const ExperimentContext& context) {
     if (!X_OM_start) X_OM_start = record.state.X_OB * truth.X_WB.inverse();
     return map == Map::combined ? localisation.X_OM(record, truth) : *X_OM_start;
   };
-  const auto observe = [&](const ActionRecord&, const GroundTruth& truth) {
+  const auto observe = [&](const ActionRecord& record, const GroundTruth& truth) {
+    if (spectator != nullptr) spectator->observe(record, truth, world);
     walk.tracks.observe(runner, runner.frames().X_OM, truth);
     return !context.stopped();
   };

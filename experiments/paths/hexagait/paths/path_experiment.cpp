@@ -65,6 +65,12 @@ recording::Simulation simulation_of(const PathWalk& walk, const ExperimentContex
   return simulation;
 }
 
+// The walk that the experiment shows.
+bool is_shown(const PathWalk& walk) {
+  return walk.shape == kPanels[2].shape && walk.terrain == kPanels[2].terrain && walk.seed == 1 &&
+         walk.localised_by == LocalisedBy::odometry;
+}
+
 void follow(PathWalk& walk, const ExperimentContext& context) {
   const recording::Simulation simulation = simulation_of(walk, context);
   walk.look_ahead = simulation.trial.path->look_ahead;
@@ -74,7 +80,9 @@ void follow(PathWalk& walk, const ExperimentContext& context) {
     next = record.state.time + kSampling;
     walk.trace.emplace_back(truth.X_WB.p.head<2>());
   };
-  walk.summary = recording::simulate(*context.robot, simulation, observe, context.stop);
+  walk.summary = is_shown(walk)
+                     ? simulate_shown(*context.robot, simulation, observe, context)
+                     : recording::simulate(*context.robot, simulation, observe, context.stop);
 }
 
 figures::Csv table_of(const std::vector<PathWalk>& walks) {

@@ -16,6 +16,7 @@ namespace {
 using navigation::Reason;
 
 constexpr double kSeconds = 3600.0, kInShort = 40.0;  // [s]
+constexpr double kShown = 120.0;                      // of the first walk, to the spectator [s]
 constexpr SenseNoise kNoise{.range = 0.02, .pitch = 0.01};
 
 struct Arena {
@@ -49,6 +50,17 @@ class SharedProgress {
   double all_, sum_ = 0.0;
 };
 
+// What shows the beginning of a walk to the context's spectator.
+recording::WorldObserver shown(const ExperimentContext& context, const RobotModel& robot,
+                               const recording::Simulation& simulation) {
+  if (context.spectator == nullptr) return {};
+  context.spectator->begin(robot, simulation);
+  return [spectator = context.spectator](const auto& record, const GroundTruth& truth,
+                                         const auto& referee, const sim3d::World& world) {
+    if (truth.time <= kShown) spectator->observe(record, truth, referee, world);
+  };
+}
+
 std::vector<NavigationWalk> walked(const ExperimentContext& context, const RobotModel& robot) {
   const double seconds = context.short_form ? kInShort : kSeconds;
   std::vector<NavigationWalk> walks(std::size(kArenas));
@@ -59,7 +71,8 @@ std::vector<NavigationWalk> walked(const ExperimentContext& context, const Robot
     simulation.seed = kArenas[k].seed;
     simulation.trial.seconds = seconds;
     walks[k] = navigate(
-        robot, simulation, kNoise, [&](double time) { progress.at(k, time); }, context.stop);
+        robot, simulation, kNoise, [&](double time) { progress.at(k, time); }, context.stop,
+        k == 0 ? shown(context, robot, simulation) : recording::WorldObserver{});
   };
   ExperimentContext quiet = context;
   quiet.progress = {};

@@ -108,7 +108,7 @@ long NavigationWalk::met(navigation::Reason reason) const {
 
 NavigationWalk navigate(const RobotModel& robot, const recording::Simulation& simulation,
                         const SenseNoise& noise, const std::function<void(double)>& progress,
-                        const std::atomic<bool>* stop) {
+                        const std::atomic<bool>* stop, const recording::WorldObserver& observer) {
   NavigationWalk walk{.simulation = simulation};
   sim3d::World world(robot, simulation.terrain, world_params(simulation),
                      walk::random_posture(robot, simulation.random_posture, simulation.seed));
@@ -131,11 +131,12 @@ NavigationWalk navigate(const RobotModel& robot, const recording::Simulation& si
     return heading;
   };
   trial.referee = simulation.params.referee;
-  walk.summary = walk::run_trial(walker, plant, world.truth(), trial,
-                                 [&](const auto&, const GroundTruth& truth, const auto&) {
-                                   if (log.observe(truth, pilot.state())) progress(truth.time);
-                                   if (stop != nullptr && stop->load()) walker.emergency_stop();
-                                 });
+  const auto watch = [&](const auto& record, const GroundTruth& truth, const auto& referee) {
+    if (log.observe(truth, pilot.state())) progress(truth.time);
+    if (observer) observer(record, truth, referee, world);
+    if (stop != nullptr && stop->load()) walker.emergency_stop();
+  };
+  walk.summary = walk::run_trial(walker, plant, world.truth(), trial, watch);
   return walk;
 }
 

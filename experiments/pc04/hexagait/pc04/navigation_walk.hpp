@@ -52,10 +52,12 @@ struct NavigationWalk {
 /// Walks it: what its sensors sense decides on its heading, nothing else does.
 /// @param noise     of the sensors; drawn, as the turns are, by the simulation's seed
 /// @param progress  called every half a second with the time walked [s]
+/// @param observer  called after every tick; may be empty
 [[nodiscard]] NavigationWalk navigate(const RobotModel& robot,
                                       const recording::Simulation& simulation,
                                       const SenseNoise& noise,
                                       const std::function<void(double)>& progress,
-                                      const std::atomic<bool>* stop);
+                                      const std::atomic<bool>* stop,
+                                      const recording::WorldObserver& observer = {});
 
 }  // namespace hexagait::experiments

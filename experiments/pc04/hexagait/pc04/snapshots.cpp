@@ -97,7 +97,7 @@ RecordedWalk record(const ExperimentContext& context, const recording::Simulatio
     if (context.progress)
       context.progress(walk.recording.samples().back().time / simulation.trial.seconds);
   };
-  walk.summary = recording::simulate(*context.robot, simulation, observe, context.stop);
+  walk.summary = simulate_shown(*context.robot, simulation, observe, context);
   return walk;
 }
 

@@ -16,7 +16,8 @@ struct RecordedWalk {
   walk::Summary summary;
 };
 
-/// Simulates the context's robot, and tells its progress by the walk's time.
+/// Simulates the context's robot before the context's spectator, and tells its progress by the walk's
+/// time.
 [[nodiscard]] RecordedWalk record(const ExperimentContext& context,
                                   const recording::Simulation& simulation);
 
