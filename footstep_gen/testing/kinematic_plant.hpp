@@ -32,11 +32,12 @@ namespace hexagait::footstep_gen::testing {
   return robot;
 }
 
-/// A robot on the plane z = 0 that follows its commands exactly: joints are at their targets one
-/// period later, and the body moves with the executor's twist. A foot has contact when it reaches
-/// the ground, until it is half a millimetre above it.
+/// A robot on the plane z = 0, or over other ground, that follows its commands exactly: joints are at
+/// their targets one period later, and the body moves with the executor's twist. A foot has contact
+/// when it reaches the ground below it, until it is half a millimetre above that.
 struct KinematicPlant {
   const RobotModel* model;
+  double (*ground)(const Vector2& p_O) = [](const Vector2&) { return 0.0; };  ///< its height [m]
   Pose X_OB;
   Measurement measurement;
 
@@ -61,7 +62,8 @@ struct KinematicPlant {
     measurement.time += dt;
     measurement.q = record.targets.q;
     for (LegId i = 0; i < model->num_legs(); ++i) {
-      const double z = foot(i).z() - model->foot_radius;
+      const Vector3 p_OF = foot(i);
+      const double z = p_OF.z() - model->foot_radius - ground(p_OF.head<2>());
       measurement.contact[i] = z <= (measurement.contact[i] ? 5e-4 : 0.0);
     }
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <hexagait/executor/executor.hpp>
+#include <hexagait/footstep_gen/deadlock.hpp>
 #include <hexagait/footstep_gen/leg_watch.hpp>
 #include <hexagait/footstep_gen/lift_gate.hpp>
 #include <hexagait/gait_state/latch.hpp>
@@ -32,6 +33,8 @@ struct TickRecord {
   heading_control::Heading heading = heading_control::Heading::stop();  ///< the command
   heading_control::PathArc arc;  ///< the path of the command for this robot
   PlanarTwist deviation;         ///< displacement back to the commanded curve [m, rad]
+
+  Escape escape;  ///< from a deadlock
 
   // gait_state
   gait_state::GaitInput gait_input;

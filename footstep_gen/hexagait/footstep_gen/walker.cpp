@@ -15,6 +15,7 @@ namespace hexagait::footstep_gen {
 namespace {
 
 constexpr double kCatching = 2.5;    // times of a lift, after a leg is lost
+constexpr double kPatience = 1.5;    // of a step all tries of which fail: then it is a deadlock
 constexpr double kMostToCome = 0.5;  // of half a step
 
 void check_stepping(Violations& violations, const gait_state::StepperParams& stepper) {
@@ -132,11 +133,12 @@ const TickRecord& Walker::step(PlantStatus status, const Measurement& measuremen
                                const heading_control::Heading& heading) noexcept {
   record_.lifts = record_.waits = record_.rule1_violations = LegSet();
   if (!healthy(status, measurement)) return stand_by(measurement), record_;
-  estimate();      // joints and contacts → feet, odometry, who stands
-  steer(heading);  // heading → path of this robot, deviation from it
-  decide();        // gait state: which legs may step; stepper: which do
-  command();       // footsteps and motion of the base
-  execute();       // executor: set points, joint targets
+  estimate();       // joints and contacts → feet, odometry, who stands
+  steer(heading);   // heading → path of this robot, deviation from it
+  find_deadlock();  // nobody gets on: where the body goes instead
+  decide();         // gait state: which legs may step; stepper: which do
+  command();        // footsteps and motion of the base
+  execute();        // executor: set points, joint targets
   ++ticks_;
   return record_;
 }
@@ -242,14 +244,45 @@ void Walker::steer(const heading_control::Heading& asked) noexcept {
                                                     params_.tolerance.turn_arm);
 }
 
+void Walker::find_deadlock() noexcept {
+  if (!params_.resolves_deadlocks || crawls()) return;
+  const SwingParams& swing = params_.executor.swing;
+  // A step all tries of which fail, and half of another one; a wave gait may take longer from step to step.
+  double patience = kPatience * (nominal_step_time(swing, params_.step) +
+                                 swing.max_retreats * (swing.retreat_time + swing.transfer_time));
+  if (params_.stepper.stepping == gait_state::Stepping::wave)
+    patience =
+        std::max(patience, memory_.stepper.longest_step() / (1.0 - params_.stepper.duty_factor));
+  const int n = model_->num_legs();
+  DeadlockInput in{.time = time(),
+                   .walks = record_.heading.moving(),
+                   .path = record_.arc.per_metre,
+                   .X_OB = record_.state.X_OB,
+                   .p_BF = LegArray<Vector3>(n),
+                   .p_BC = stance().p_BC,
+                   .standing = executor_.support(),
+                   .failing = without(LegSet::all(n), executor_.support() | lost_legs()),
+                   .lost = lost_legs(),
+                   .progress = 0.5 * std::min(params_.step.stroke, speed_limit_ * patience),
+                   .patience = patience,
+                   .arm = params_.executor.base.outer_radius};
+  for (LegId i = 0; i < n; ++i) {
+    const LegLane& lane = executor_.legs()[i];
+    in.p_BF[i] = lane.p_BF;
+    if (lane.retreats >= swing.max_retreats && !lost_legs().contains(i)) in.failing.insert(i);
+  }
+  record_.escape = deadlock_.update(in);
+}
+
 void Walker::decide() noexcept {
   if (crawls()) X_BG_ = pose(record_.deviation);
   record_.gait_input = gait_input(record_.arc, executor_, params_.step, path_pose());
+  hold_back(record_.gait_input, record_.escape);
   record_.gate = crawls() ? gate() : LiftGateDecision{};
   const gait_state::StepConditions conditions{
       .time = time(),
       .rear_edge = record_.rear_edge,
-      .walking = record_.heading.moving(),
+      .walking = walks() && record_.escape.phase != EscapePhase::moves,
       .unsure = executor_.unsure(),
       .steady = [this](LegSet legs) { return steady(legs); },
       .crawls = crawls(),
@@ -264,6 +297,7 @@ void Walker::decide() noexcept {
 
 LegSet Walker::steady(LegSet legs) const noexcept {
   if (crawls()) return legs;
+  legs = without(legs, record_.escape.held);
   const auto [feet, p_M] = stance_from_above(executor_, record_.state.X_OB.R);
   double margin = 0.0;
   if (!lost_legs().empty()) {
@@ -304,8 +338,7 @@ LiftGateDecision Walker::gate() noexcept {
 }
 
 void Walker::command() noexcept {
-  const bool walks = record_.heading.moving();
-  const double half_step = walks ? 0.5 * params_.step.stroke : 0.0;
+  const double half_step = walks() ? 0.5 * params_.step.stroke : 0.0;
   record_.path_to_come = path_to_come(record_.arc, executor_, half_step, path_pose());
   // With a leg lost the base waits for balance more often, and feet would land too far ahead of it.
   if (!lost_legs().empty())
@@ -321,12 +354,15 @@ void Walker::command() noexcept {
     executor_.command(record_.footsteps[i], record_.state);
   }
   // While it crawls its footholds keep to the path; the body follows them.
-  const bool sways = crawls() && walks;
+  const bool sways = crawls() && walks();
+  const Escape& escape = record_.escape;
   PlanarTwist back{sways ? Vector2(Vector2::Zero()) : record_.deviation.v, record_.deviation.w};
   const bool gives_way = !sways && !lost_legs().empty() && !record_.waits.empty();
   if (gives_way) back.v.setZero();
+  if (escape.phase != EscapePhase::none) back = escape.left;
   record_.base_auto =
       base_auto(*model_, record_.arc, executor_, record_.state.X_OB, back, params_.step);
+  keep_out(record_.base_auto, escape);
   if (sways) sway(record_.base_auto, record_.gate.sway);
   if (gives_way) record_.base_auto.correction.v += way_for_waiting();
   record_.base_auto.max_speed = speed_limit_;

@@ -26,6 +26,9 @@ struct WalkerParams {
   double late_limit = 0.1;    ///< longest time without a measurement before it stops [s]
   /// Legs that do not answer are lost, and sensors that are stuck or noisy are not believed: LegWatch.
   bool finds_faults = true;
+  /// A robot that does not get on moves its body to where its feet are best used, and tries again from
+  /// there: Deadlock. Not of robots that crawl: their body sways from step to step.
+  bool resolves_deadlocks = true;
 };
 
 /// Sets what is kDerived to what follows from the robot's model.
@@ -95,6 +98,7 @@ class Walker {
   void steer(const heading_control::Heading& heading) noexcept;
   [[nodiscard]] heading_control::PathArc arc_of(
       const heading_control::Heading& heading) const noexcept;
+  void find_deadlock() noexcept;
   void decide() noexcept;
   [[nodiscard]] LegSet may_crawl() const noexcept;
   LiftGateDecision gate() noexcept;
@@ -109,6 +113,9 @@ class Walker {
     return {model_->num_legs(), executor_.lost()};
   }
   [[nodiscard]] bool crawls() const noexcept { return must_crawl(ring().size()); }
+  [[nodiscard]] bool walks() const noexcept {
+    return record_.heading.moving() && record_.escape.phase != EscapePhase::gave_up;
+  }
   void recentre() noexcept;
   [[nodiscard]] Vector2 way_for_waiting() const noexcept;
   [[nodiscard]] const Pose* path_pose() const noexcept { return crawls() ? &X_BG_ : nullptr; }
@@ -121,6 +128,7 @@ class Walker {
   StateEstimator estimator_;
   heading_control::PathTracker tracker_;
   gait_state::GaitMemory memory_;
+  Deadlock deadlock_;
   LiftGate gate_;
   Pose X_BG_;             ///< see gait_input()
   Stance stance_of_all_;  ///< before any leg was lost

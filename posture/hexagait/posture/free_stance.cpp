@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/model/kinematics.hpp>
-#include <hexagait/posture/detail/free_optimum.hpp>
+#include <hexagait/posture/free_optimum.hpp>
 #include <hexagait/posture/free_stance.hpp>
 
 namespace hexagait::posture {

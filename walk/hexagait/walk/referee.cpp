@@ -187,6 +187,11 @@ void Referee::watch_rule1(const TickRecord& record, const GroundTruth& truth) {
   summary_.steps += record.lifts.size();
   summary_.lost = record.lost;
   summary_.findings = record.findings;
+  using footstep_gen::EscapePhase;
+  const EscapePhase phase = record.escape.phase;
+  summary_.escapes += phase == EscapePhase::moves && record.escape.tries > tries_ ? 1 : 0;
+  tries_ = record.escape.tries;
+  if (phase != EscapePhase::none) summary_.escape = record.escape;
   summary_.refused = summary_.refused || record.refuses;
   const gait_state::Ring ring(n, record.lost);
   const LegSet in_air = without(ring.present(), feet_in_contact(truth));

@@ -98,6 +98,7 @@ class Referee {
   LegArray<double> not_standing_, not_stepping_;  ///< for how long each leg [s]
   double outer_ = 0.0;                            ///< the farthest workspace centre [m]
   Summary summary_;
+  int tries_ = 0;              ///< of the present deadlock
   double work_before_, work_;  ///< of the joints, before the walk and now [J]
   Pose odometry_, truth_;
 };

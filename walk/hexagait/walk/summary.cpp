@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <cmath>
 #include <hexagait/walk/summary.hpp>
+#include <numbers>
 
 namespace hexagait::walk {
 namespace {
@@ -50,6 +52,30 @@ std::string in_words(const Hindrance& hindrance, const RobotModel& robot) {
                      collisions, what, help);
 }
 
+std::string in_words(const footstep_gen::Escape& escape, const RobotModel& robot) {
+  std::string legs;
+  for (LegId i = 0; i < robot.num_legs(); ++i)
+    if (escape.failing.contains(i)) legs += (legs.empty() ? "" : ", ") + robot.legs[i].name;
+  if (escape.phase == footstep_gen::EscapePhase::gave_up)
+    return fmt::format("it stands: it did not get on, from {} other postures of its body either{}",
+                       escape.tries, legs.empty() ? "" : "; no foothold found by " + legs);
+  std::string way;
+  const auto add = [&way](double centimetres, const char* positive, const char* negative) {
+    if (std::abs(centimetres) < 0.5) return;
+    way += fmt::format("{}{:.0f} cm {}", way.empty() ? "" : ", ", std::abs(centimetres),
+                       centimetres > 0.0 ? positive : negative);
+  };
+  add(100.0 * escape.way.v.x(), "ahead", "back");
+  add(100.0 * escape.way.v.y(), "left", "right");
+  const double turn = escape.way.w * 180.0 / std::numbers::pi;
+  std::string what = way.empty() ? "" : "moves " + way;
+  if (std::abs(turn) >= 0.5)
+    what += fmt::format("{}turns {:.0f}° {}", what.empty() ? "" : ", ", std::abs(turn),
+                        turn > 0.0 ? "left" : "right");
+  return fmt::format("deadlock: body {}{}", what.empty() ? "stays" : what,
+                     legs.empty() ? "" : "; after its neighbours steps " + legs);
+}
+
 std::vector<std::string> found_in_words(const Summary& summary, const RobotModel& robot) {
   const footstep_gen::LegFindings& found = summary.findings;
   std::vector<std::string> words;
@@ -64,6 +90,8 @@ std::vector<std::string> found_in_words(const Summary& summary, const RobotModel
     if (found.noisy.contains(i))
       words.push_back(fmt::format("joints of {} are noisy; they are not believed", leg));
   }
+  if (summary.escapes > 0) words.push_back(in_words(summary.escape, robot));
+  if (summary.escapes > 1) words.back() += fmt::format(" (the last of {})", summary.escapes);
   if (summary.refused)
     words.emplace_back(
         "it stands: it does not walk with fewer than two legs on a side, or than four in all");

@@ -23,6 +23,10 @@ struct Hindrance {
 /// "leg LF rises or transfers for 4.2 s …", and what would help.
 [[nodiscard]] std::string in_words(const Hindrance& hindrance, const RobotModel& robot);
 
+/// "deadlock: body moves 4 cm left; after its neighbours RF steps": what a robot did to get out of one, or
+/// why it gave up.
+[[nodiscard]] std::string in_words(const footstep_gen::Escape& escape, const RobotModel& robot);
+
 struct Summary;
 
 /// What the controller found out about its legs and did about it, a sentence each; empty: nothing.
@@ -78,6 +82,8 @@ struct Summary {
   int real_contact_losses = 0;
   LegSet lost;                         ///< legs that the controller does without, at the end
   footstep_gen::LegFindings findings;  ///< what it has found out about its legs, at the end
+  int escapes = 0;                     ///< tries to get out of a deadlock
+  footstep_gen::Escape escape;         ///< the last of them, or that it has given up
   bool refused = false;                ///< it did not walk, since too few legs were left
   bool fell = false;                   ///< the base touched the ground, or tilted by more than 60°
   /// No progress for too long: RefereeParams::progress and patience; and what was in the way.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <hexagait/posture/detail/free_optimum.hpp>
+#include <hexagait/posture/free_optimum.hpp>
 
 namespace hexagait::posture {
 namespace {

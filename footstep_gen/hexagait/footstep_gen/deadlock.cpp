@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <hexagait/footstep_gen/deadlock.hpp>
+#include <hexagait/gait_state/ring.hpp>
+#include <hexagait/posture/free_optimum.hpp>
+
+namespace hexagait::footstep_gen {
+namespace {
+
+constexpr double kThere = 0.1;      // of the progress: what is left of the way
+constexpr double kBehind = 1.0;     // a lag less than any other
+constexpr double kOtherPath = 0.5;  // per metre of path: the command is another one
+
+// Way of the outermost foot.
+double size(const PlanarTwist& way, double arm) { return way.v.norm() + arm * std::abs(way.w); }
+
+}  // namespace
+
+void Deadlock::wait_from_here(const DeadlockInput& in) noexcept {
+  since_ = in.time;
+  from_ = in_plane(in.X_OB);
+  left_ground_ = {};
+}
+
+void Deadlock::begin(const DeadlockInput& in) noexcept {
+  PlanarPose there = in_plane(posture::free_optimum(in.p_BF, in.p_BC, in.standing));
+  const double along = in.path.v.dot(there.shift), path2 = in.path.v.squaredNorm();
+  if (along < 0.0) there.shift -= (along / path2) * in.path.v;
+  ++escape_.tries;
+  escape_.phase = EscapePhase::moves;
+  escape_.failing = escape_.held = in.failing;
+  escape_.way = logarithm(there);
+  to_ = in_plane(in.X_OB) * there;
+  since_ = in.time;
+}
+
+// A leg that fails lags the most, so it would try again and again, and its neighbours never step.
+void Deadlock::hold(const DeadlockInput& in) noexcept {
+  left_ground_ = left_ground_ | without(LegSet::all(in.p_BF.size()), in.standing);
+  const LegSet stepped = left_ground_ & in.standing;
+  const gait_state::Ring ring(in.p_BF.size(), in.lost);
+  escape_.held = {};
+  for (LegId i = 0; i < in.p_BF.size(); ++i) {
+    if (!escape_.failing.contains(i)) continue;
+    const LegSet beside =
+        without(gait_state::neighbours_of(LegSet(1U << i), ring), escape_.failing);
+    escape_.held.set(i, !without(beside, stepped).empty());
+  }
+}
+
+Escape Deadlock::update(const DeadlockInput& in) noexcept {
+  const bool starts = in.walks && !walked_;
+  walked_ = in.walks;
+  if (!in.walks || starts) {
+    escape_ = {};
+    wait_from_here(in);
+    return escape_;
+  }
+  const PlanarPose now = in_plane(in.X_OB);
+  // In `steps` the neighbours of a failing leg step, and then it tries again.
+  const double phases = escape_.phase == EscapePhase::steps ? 2.0 : 1.0;
+  const bool long_enough = in.time - since_ > phases * in.patience;
+  escape_.left = {};
+  switch (escape_.phase) {
+    case EscapePhase::none:
+    case EscapePhase::steps:
+      if (escape_.phase == EscapePhase::steps) hold(in);
+      if (size(logarithm(between(from_, now)), in.arm) > in.progress) {
+        escape_ = {};
+        wait_from_here(in);
+      } else if (long_enough && escape_.tries >= kTries) {
+        escape_.phase = EscapePhase::gave_up;
+        gave_up_ = in.path;
+      } else if (long_enough && in.standing.size() > 2) {
+        begin(in);
+      }
+      break;
+    case EscapePhase::moves:
+      escape_.left = logarithm(between(now, to_));
+      if (!long_enough && size(escape_.left, in.arm) > kThere * in.progress) break;
+      escape_.phase = EscapePhase::steps;
+      escape_.left = {};
+      wait_from_here(in);
+      break;
+    case EscapePhase::gave_up:
+      if (size({in.path.v - gave_up_.v, in.path.w - gave_up_.w}, in.arm) < kOtherPath) break;
+      escape_ = {};
+      wait_from_here(in);
+      break;
+  }
+  return escape_;
+}
+
+void hold_back(gait_state::GaitInput& legs, const Escape& escape) noexcept {
+  if (escape.held.empty()) return;
+  const double least = *std::ranges::min_element(legs.lag);
+  for (LegId i = 0; i < legs.lag.size(); ++i)
+    if (escape.held.contains(i)) {
+      legs.lag[i] = std::min(legs.lag[i], least) - kBehind;
+      legs.urgent.set(i, false);
+    }
+}
+
+void keep_out(BaseAutoCommand& base, const Escape& escape) noexcept {
+  if (escape.phase == EscapePhase::none) return;
+  base.min_advance = 0.0;
+  if (escape.phase != EscapePhase::steps) base.max_advance = 0.0;
+}
+
+}  // namespace hexagait::footstep_gen
