@@ -245,7 +245,7 @@ void Walker::steer(const heading_control::Heading& asked) noexcept {
 }
 
 void Walker::find_deadlock() noexcept {
-  if (!params_.resolves_deadlocks || crawls()) return;
+  if (!params_.resolves_deadlocks || crawls() || model_->legs[0].has_two_joints()) return;
   const SwingParams& swing = params_.executor.swing;
   // A step all tries of which fail, and half of another one; a wave gait may take longer from step to step.
   double patience = kPatience * (nominal_step_time(swing, params_.step) +
@@ -255,7 +255,7 @@ void Walker::find_deadlock() noexcept {
         std::max(patience, memory_.stepper.longest_step() / (1.0 - params_.stepper.duty_factor));
   const int n = model_->num_legs();
   DeadlockInput in{.time = time(),
-                   .walks = record_.heading.moving(),
+                   .walks = record_.heading.moving() && speed_limit_ > 0.0,
                    .path = record_.arc.per_metre,
                    .X_OB = record_.state.X_OB,
                    .p_BF = LegArray<Vector3>(n),

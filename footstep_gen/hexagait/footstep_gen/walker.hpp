@@ -27,7 +27,8 @@ struct WalkerParams {
   /// Legs that do not answer are lost, and sensors that are stuck or noisy are not believed: LegWatch.
   bool finds_faults = true;
   /// A robot that does not get on moves its body to where its feet are best used, and tries again from
-  /// there: Deadlock. Not of robots that crawl: their body sways from step to step.
+  /// there: Deadlock. Not of robots that crawl, whose body sways from step to step, nor with legs of two
+  /// joints, whose body cannot move sideways.
   bool resolves_deadlocks = true;
 };
 
