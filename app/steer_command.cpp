@@ -6,6 +6,7 @@
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/text/parse_number.hpp>
 #include <hexagait/viewer/session.hpp>
+#include <hexagait/walk/path_file.hpp>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
@@ -40,6 +41,10 @@ viewer::SessionOptions options(const SteerArguments& arguments) {
   result.robots = known_names("robots", ".urdf");
   result.load = [](const std::string& name) {
     return viewer::LoadedRobot{load_robot(name, {}, true), given_params(name, "", {})};
+  };
+  result.paths = known_names("paths", ".yaml");
+  result.load_path = [](const std::string& name, const RobotModel& robot, const StepParams& step) {
+    return walk::load_path(shared_file("path", name, "paths", ".yaml"), robot, step);
   };
   return result;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Buttons, choices, keys, and the words about what is going on.
+import { Faults } from "./faults.js";
 import { kFaults } from "./frame.js";
 
 const $ = (id) => document.getElementById(id);
@@ -30,6 +31,7 @@ export class Panels {
     };
     for (const [id, act] of Object.entries(acts)) $(id).addEventListener("click", act);
     this.acts = acts;
+    this.faults = new Faults((command) => this.link.send(command), (leg) => this.onLeg?.(leg));
     $("robot").addEventListener("change", () => this.link.send({ type: "restart", robot: $("robot").value }));
     $("terrain").addEventListener("change", () => this.restart());
     $("roughness").addEventListener("change", () => this.restart());
@@ -62,7 +64,8 @@ export class Panels {
     const ofWalk = timeline?.live ? {
       w: () => s.set(s.curvature, 0), s: () => s.set(s.curvature, 180), a: () => s.bend(1), d: () => s.bend(-1),
       q: () => s.turn(1), e: () => s.turn(-1), x: this.acts.stop, p: this.acts.push, r: this.acts.scramble,
-      Backspace: this.acts.reset, ArrowUp: () => s.go(),
+      c: this.faults.acts.cut, k: this.faults.acts.dead, b: this.faults.acts.break, m: this.faults.acts.mend,
+      n: () => this.faults.otherPlant(), Backspace: this.acts.reset, ArrowUp: () => s.go(), f: () => this.onDraw?.(),
     } : {};
     const act = { ...ofTime, ...ofWalk }[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (!act) return;
@@ -76,6 +79,7 @@ export class Panels {
       if (!entries.includes(chosen)) select.prepend(new Option(chosen, chosen, true, true));
     };
     options($("robot"), scene.robots, scene.robot);
+    $("path").replaceChildren(new Option("Follow …", ""), ...(scene.paths ?? []).map((name) => new Option(name, name)));
     // Kinds that are given by their height have a slider; of the others, an example.
     const kinds = scene.terrains.map(({ example, height }) => (height ? example.split(":")[0] : example));
     const simple = /^([a-z]+):([^,+]+)$/.exec(scene.terrain);
@@ -84,6 +88,7 @@ export class Panels {
     if (sized) $("roughness").value = 100 * Number(simple[2]);
     $("roughness-label").hidden = !sized;
     this.showRoughness();
+    this.faults.showScene(scene);
     const legs = scene.legs.length, joints = scene.legs[0].joints.length;
     const where = this.timeline?.live ? "" : `${scene.robot} on ${scene.terrain}: `;
     $("facts").textContent = `${where}${legs} legs × ${joints} joints, ${scene.mass.toFixed(1)} kg, seed ${scene.seed}`;
@@ -125,10 +130,18 @@ export class Panels {
     $("gait-words").textContent = `CCN ${frame.ccn}${kTypeWords[frame.type] ? " · " + kTypeWords[frame.type] : ""}`;
     const spin = frame.rho < 1e-6;
     const where = spin ? "turns on the spot" : `radius ${Math.abs(frame.k) < 1e-4 ? "∞" : (frame.rho / frame.k).toFixed(2) + " m"}, crab ${((frame.crab * 180) / Math.PI).toFixed(0)}°`;
-    $("heading").textContent = where;
+    $("heading").textContent = this.onRoute(frame) ?? where;
     $("twist").textContent = `vx ${hundredths(frame.vx)}  vy ${hundredths(frame.vy)} m/s  ωz ${hundredths(frame.wz)} rad/s`;
     const text = `${frame.time.toFixed(1)} s, ${frame.path.toFixed(2)} m, ${frame.factor.toFixed(2)} × real time, ${world.fps.toFixed(0)} fps`;
     if (this.shownFacts !== text) $("world").title = this.shownFacts = text;
+  }
+
+  /** Where it is on the path that it follows, or has followed; null if there is none. */
+  onRoute(frame) {
+    if (!this.route) return null;
+    const off = `${Math.abs(100 * frame.lateral).toFixed(1)} cm ${frame.lateral > 0 ? "left of" : "right of"} its path`;
+    if (frame.follows) return off;
+    return frame.silent ? "interrupted on its path" : `at the end, ${off}`;
   }
 
   notice(words) {
