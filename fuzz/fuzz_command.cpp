@@ -30,6 +30,11 @@ bool is_sound(const Push& push) { return std::abs(push.angle) < 7.0; }
 bool is_sound(const ChangeGait& gait) {
   return gait.stepper.duty_factor >= 0.5 && gait.stepper.duty_factor < 1.0;
 }
+bool is_sound(const Race& race) {
+  if (!race.rival) return true;
+  const double duty_factor = race.rival->stepper.duty_factor;
+  return duty_factor >= 0.5 && duty_factor < 1.0;
+}
 bool is_sound(const Break& one) {
   const walk::PartFault& f = one.fault;
   return std::isfinite(f.value) && f.place.allFinite() && std::isfinite(f.direction) &&

@@ -166,6 +166,17 @@ Command gait(const Message& m) {
   return ChangeGait{choice->stepper};
 }
 
+Command race(const Message& m) {
+  m.only({"on", "gait"});
+  if (!m.truth("on")) {
+    m.only({"on"});
+    return Race{};
+  }
+  const auto choice = gait_state::parse_gait_choice(m.word("gait"));
+  if (!choice) m.refuse("gait", fmt::format("it must be {}", gait_state::kGaitChoices));
+  return Race{choice};
+}
+
 Command fault(const Message& m) {
   m.only({"fault"});
   const std::string text = m.word("fault");
@@ -236,6 +247,7 @@ constexpr std::array kKinds = {
            return Push{m.number("angle", -kFullTurn, kFullTurn)};
          }},
     Kind{"gait", gait},
+    Kind{"race", race},
     Kind{"fault", fault},
     Kind{"mend", plain<Mend>},
     Kind{"plant", plant},

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <hexagait/gait_state/stepper.hpp>
+#include <hexagait/gait_state/gait_choice.hpp>
 #include <hexagait/heading_control/heading.hpp>
 #include <hexagait/math/planar.hpp>
 #include <hexagait/recording/plant_setup.hpp>
@@ -26,6 +26,8 @@
 ///     {"type":"pause","on":true}    {"type":"step","ticks":1}    {"type":"speed","factor":0.25}
 ///     {"type":"scramble"}           {"type":"push","angle":1.57}  direction in the body frame
 ///     {"type":"gait","gait":"wave:0.75"}               or free, tripod
+///     {"type":"race","on":true,"gait":"tripod"}        a second robot beside it, of any gait of hexagait walk
+///     {"type":"race","on":false}
 ///     {"type":"fault","fault":"weak:LF_knee:50%"}      as of hexagait walk --fault, from now on
 ///     {"type":"mend"}                                  without faults, where it is
 ///     {"type":"plant","plant":"real"}                  a preset of hexagait list plants, where it is
@@ -71,6 +73,9 @@ struct Push {
 struct ChangeGait {
   gait_state::StepperParams stepper;
 };
+struct Race {
+  std::optional<gait_state::GaitChoice> rival;  ///< nothing: the race is over
+};
 struct Break {
   walk::PartFault fault;  ///< there from now on; not resolved()
 };
@@ -89,7 +94,7 @@ struct Release {};
 
 using Command =
     std::variant<Drive, DriveTwist, Stop, Follow, Pause, SingleStep, SpeedFactor, Scramble, Push,
-                 ChangeGait, Break, Mend, ChangePlant, Reset, Restart, Beat, Release>;
+                 ChangeGait, Race, Break, Mend, ChangePlant, Reset, Restart, Beat, Release>;
 
 /// Why a message is no command, in words for the person who sent it.
 struct CommandError {

@@ -56,6 +56,8 @@ TEST(Command, ReadsEveryType) {
   const auto gait = parsed<ChangeGait>(R"({"type":"gait","gait":"wave:0.75"})");
   EXPECT_EQ(gait.stepper.stepping, gait_state::Stepping::wave);
   EXPECT_EQ(gait.stepper.duty_factor, 0.75);
+  EXPECT_TRUE(parsed<Race>(R"({"type":"race","on":true,"gait":"clocked"})").rival->open_loop);
+  EXPECT_FALSE(parsed<Race>(R"({"type":"race","on":false})").rival);
   const auto fault = parsed<Break>(R"({"type":"fault","fault":"weak:LF_knee:50%"})");
   EXPECT_EQ(fault.fault.kind, walk::PartFaultKind::weak);
   EXPECT_EQ(fault.fault.value, 0.5);
@@ -124,6 +126,9 @@ TEST(Command, RefusesWhatIsOutOfRange) {
   EXPECT_THAT(error_of(R"({"type":"restart","terrain":"boxes:5cm+heightmap:0.1,1m,a.png"})"),
               HasSubstr("must not name a file"));
   EXPECT_THAT(error_of(R"({"type":"gait","gait":"clocked"})"), HasSubstr("free, tripod"));
+  EXPECT_THAT(error_of(R"({"type":"race","on":true,"gait":"gallop"})"), HasSubstr("free, unadj"));
+  EXPECT_THAT(error_of(R"({"type":"race","on":true})"), HasSubstr("it is missing"));
+  EXPECT_THAT(error_of(R"({"type":"race","on":false,"gait":"free"})"), HasSubstr("no \"gait\""));
   EXPECT_THAT(error_of(R"({"type":"restart","seed":-1})"), HasSubstr("whole number"));
 }
 

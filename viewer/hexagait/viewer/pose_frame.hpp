@@ -55,6 +55,7 @@ struct PoseFrame {
     tripod = 16,   ///< gait: the tripod that waits
     holding = 32,  ///< the measurement is late: the robot holds still
     follows = 64,  ///< a path on the ground
+    rival = 128,   ///< it is of the second robot of a race
   };
 
   std::uint8_t flags = 0;

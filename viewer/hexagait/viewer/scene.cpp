@@ -167,21 +167,22 @@ std::string ground_json(const sim3d::Terrain& terrain, const GroundPatch& patch,
   return text_of(ground);
 }
 
-std::string setup_json(const recording::PlantSetup& plant, const FollowedPath* path,
-                       std::uint32_t scene) {
+std::string setup_json(const SceneSetup& setup, std::uint32_t scene) {
   Json faults = Json::array();
-  for (const walk::PartFault& fault : plant.parts) faults.push_back(fault.text);
+  for (const walk::PartFault& fault : setup.plant.parts) faults.push_back(fault.text);
   Json way;
-  if (path != nullptr) {
+  if (setup.path != nullptr) {
     Json points = Json::array();
-    for (const Vector2& p : path->picture()) points.push_back({rounded(p.x()), rounded(p.y())});
-    way = {{"points", points}, {"closed", path->closed()}};
+    for (const Vector2& p : setup.path->picture())
+      points.push_back({rounded(p.x()), rounded(p.y())});
+    way = {{"points", points}, {"closed", setup.path->closed()}};
   }
   return text_of({{"type", "setup"},
                   {"scene", scene},
-                  {"plant", plant.name},
+                  {"plant", setup.plant.name},
                   {"faults", faults},
-                  {"path", way}});
+                  {"path", way},
+                  {"race", setup.race ? Json(to_string(*setup.race)) : Json()}});
 }
 
 std::string hello_json(std::uint32_t client) {

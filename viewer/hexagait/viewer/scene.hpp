@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <hexagait/gait_state/gait_choice.hpp>
 #include <hexagait/math/planar.hpp>
 #include <hexagait/model/robot_model.hpp>
 #include <hexagait/recording/plant_setup.hpp>
 #include <hexagait/sim3d/terrain.hpp>
 #include <hexagait/viewer/followed_path.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,10 +46,16 @@ struct SceneChoices {
 [[nodiscard]] std::string ground_json(const sim3d::Terrain& terrain, const GroundPatch& patch,
                                       std::uint32_t scene);
 
-/// {"type":"setup","scene":3,"plant":"real","faults":["dead:LF"],"path":{"points":[[0,0],…],"closed":true}}:
-/// what can change while a scene goes on. Points are in the world [m]; without a path it is null.
-[[nodiscard]] std::string setup_json(const recording::PlantSetup& plant, const FollowedPath* path,
-                                     std::uint32_t scene);
+/// What can change while a scene goes on.
+struct SceneSetup {
+  const recording::PlantSetup& plant;
+  const FollowedPath* path = nullptr;               ///< null: none
+  std::optional<gait_state::GaitChoice> race = {};  ///< gait of the second robot, if there is one
+};
+
+/// {"type":"setup","scene":3,"plant":"real","faults":["dead:LF"],"path":{"points":[[0,0],…],"closed":true},
+/// "race":"tripod"}. Points are in the world [m]; without a path, or a race, it is null.
+[[nodiscard]] std::string setup_json(const SceneSetup& setup, std::uint32_t scene);
 
 /// {"type":"hello","you":7}: the client's number, which frames name as the holder of the wheel.
 [[nodiscard]] std::string hello_json(std::uint32_t client);

@@ -70,11 +70,14 @@ TEST(Scene, ListsAllFaultsAndPlantsOfTheLibrary) {
 TEST(Scene, SetupTellsPlantAndFaults) {
   recording::PlantSetup plant = recording::parse_plant("real");
   recording::add_faults(plant, std::vector<std::string>{"cut:LF"});
-  const json setup = json::parse(setup_json(plant, nullptr, 4));
+  const json setup = json::parse(setup_json({plant}, 4));
   EXPECT_EQ(setup["type"], "setup");
   EXPECT_EQ(setup["scene"], 4);
   EXPECT_EQ(setup["faults"], json({"cut:LF"}));
   EXPECT_TRUE(setup["path"].is_null());
+  EXPECT_TRUE(setup["race"].is_null());
+  const auto tripod = gait_state::parse_gait_choice("tripod");
+  EXPECT_EQ(json::parse(setup_json({plant, nullptr, tripod}, 4))["race"], "tripod");
 }
 
 TEST(Scene, GroundHasTheLevelsOfTheTerrainByRows) {

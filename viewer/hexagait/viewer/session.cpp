@@ -171,8 +171,11 @@ void Session::run(std::promise<void>& started) {
 }
 
 void Session::begin(const WalkStart& start) {
-  walk_ = nullptr;  // of two worlds at once there is no need
-  walk_ = std::make_unique<SteeredWalk>(options_.robot, options_.simulation, start);
+  walk_ = nullptr;
+  rival_ = nullptr;  // of more worlds at once there is no need
+  auto walk = std::make_unique<SteeredWalk>(options_.robot, options_.simulation, start);
+  rival_ = make_rival(start);
+  walk_ = std::move(walk);
   joints_ = joint_counts(options_.robot);
   ++scene_;
   post(Mail::scene, scene_json(options_.robot, walk_->terrain(), options_.simulation.seed,
@@ -184,8 +187,16 @@ void Session::begin(const WalkStart& start) {
   changed_ = true;
 }
 
+// On the same ground, from the same place, in the same posture, told the same; but of another gait.
+std::unique_ptr<SteeredWalk> Session::make_rival(const WalkStart& start) const {
+  if (!race_) return nullptr;
+  recording::Simulation simulation = options_.simulation;
+  simulation.gait = *race_;
+  return std::make_unique<SteeredWalk>(options_.robot, simulation, start);
+}
+
 void Session::tell_setup() {
-  post(Mail::setup, setup_json(options_.simulation.plant, walk_->path(), scene_));
+  post(Mail::setup, setup_json({options_.simulation.plant, walk_->path(), race_}, scene_));
   changed_ = true;
 }
 
@@ -210,6 +221,7 @@ void Session::obey(const Order& order) {
     post(Mail::notice, error_json(error.what()));
     if (walk_ == nullptr) {
       options_ = began_;
+      race_ = std::nullopt;
       begin({});
     }
   }
@@ -225,11 +237,13 @@ void Session::watch_holder() {
   silent_ = true;
   changed_ = true;
   command_.heading = command_.heading.stopped();
-  if (walk_->path() != nullptr) walk_->path()->interrupt();
+  each([](SteeredWalk& walk) {
+    if (walk.path() != nullptr) walk.path()->interrupt();
+  });
 }
 
 void Session::tick() {
-  walk_->tick(command_);
+  each([&](SteeredWalk& walk) { walk.tick(command_); });
   if (steps_ > 0 && --steps_ == 0) changed_ = true;
   const auto now = Clock::now();
   due_ += seconds(walk_->control_dt() / options_.speed_factor);
@@ -264,6 +278,12 @@ void Session::publish() {
     statistics_.path = frame.path;
     statistics_.processor = processor_seconds();
   }
+  if (rival_ != nullptr) {
+    PoseFrame rival = rival_->frame();
+    rival.scene = scene_;
+    rival.flags |= PoseFrame::rival;
+    post(Mail::rival, encode(rival, joints_));
+  }
   if (options_.replay != nullptr) options_.replay->frame(frame, joints_);
   post(Mail::frame, encode(frame, joints_));
   const auto now = Clock::now(), next = frame_due_ + seconds(1.0 / options_.frame_rate);
@@ -273,7 +293,8 @@ void Session::publish() {
 }
 
 void Session::post(Mail kind, std::string content) {
-  if (options_.replay != nullptr && kind != Mail::notice && kind != Mail::frame)
+  if (options_.replay != nullptr &&
+      (kind == Mail::scene || kind == Mail::ground || kind == Mail::setup))
     options_.replay->text(content);
   const std::lock_guard lock(mutex_);
   Mailbox& box = mail_[static_cast<int>(kind)];

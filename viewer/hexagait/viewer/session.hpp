@@ -92,6 +92,13 @@ class Session : public Host {
   [[nodiscard]] std::string accept(ClientId client, Command command);
   void run(std::promise<void>& started);
   void begin(const WalkStart& start);
+  [[nodiscard]] std::unique_ptr<SteeredWalk> make_rival(const WalkStart& start) const;
+  // Of each robot that walks.
+  template <class Act>
+  void each(Act act) {
+    act(*walk_);
+    if (rival_ != nullptr) act(*rival_);
+  }
   [[nodiscard]] bool take_orders();
   void obey(const Order& order);
   void obey(const Drive& drive);
@@ -104,6 +111,7 @@ class Session : public Host {
   void obey(Scramble);
   void obey(const Push& push);
   void obey(const ChangeGait& change);
+  void obey(const Race& race);
   void obey(const Break& fault);
   void obey(Mend);
   void obey(const ChangePlant& change);
@@ -122,7 +130,8 @@ class Session : public Host {
 
   // Of the simulation's thread alone.
   SessionOptions options_, began_;
-  std::unique_ptr<SteeredWalk> walk_;
+  std::unique_ptr<SteeredWalk> walk_, rival_;   // in worlds of their own; without a race no rival
+  std::optional<gait_state::GaitChoice> race_;  // of the rival
   LegArray<int> joints_;
   heading_control::HeadingCommand command_;
   Follow followed_;

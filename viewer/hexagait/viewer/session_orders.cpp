@@ -42,17 +42,17 @@ void Session::obey(Stop) {
 void Session::obey(const Follow& follow) {
   const bool is_on = walk_->path() != nullptr && !walk_->path()->arrived();
   if (!is_on || !is_same_way(follow, followed_)) {
-    if (follow.name.empty()) {
-      walk_->follow(
-          drawn_path(follow.points_W, follow.closed, options_.robot, walk_->step(), walk_->place()),
-          PlanarPose());
-    } else {
-      walk_->follow(options_.load_path(follow.name, options_.robot, walk_->step()), walk_->place());
-    }
+    const bool drawn = follow.name.empty();
+    const path_following::PathTask task =
+        drawn ? drawn_path(follow.points_W, follow.closed, options_.robot, walk_->step(),
+                           walk_->place())
+              : options_.load_path(follow.name, options_.robot, walk_->step());
+    const PlanarPose X_WP = drawn ? PlanarPose() : walk_->place();
+    each([&](SteeredWalk& walk) { walk.follow(task, X_WP); });
     followed_ = follow;
     tell_setup();
   }
-  walk_->path()->go_on();
+  each([](SteeredWalk& walk) { walk.path()->go_on(); });
   command_ = {command_.heading.stopped(), follow.limit};
   silent_ = false;
   changed_ = true;
@@ -61,7 +61,7 @@ void Session::obey(const Follow& follow) {
 // Who steers leaves the path.
 void Session::take_off_path() {
   if (walk_->path() == nullptr) return;
-  walk_->leave_path();
+  each([](SteeredWalk& walk) { walk.leave_path(); });
   tell_setup();
 }
 
@@ -88,7 +88,9 @@ void Session::obey(Scramble) {
   begin({walk_->place(), kScramble * radius, ++draws_});
 }
 
-void Session::obey(const Push& push) { walk_->push(push.angle); }
+void Session::obey(const Push& push) {
+  each([&](SteeredWalk& walk) { walk.push(push.angle); });
+}
 
 void Session::obey(const ChangeGait& change) {
   walk_->set_gait(change.stepper);
@@ -96,10 +98,17 @@ void Session::obey(const ChangeGait& change) {
   changed_ = true;
 }
 
+// Both begin side by side in one place: neither feels the other.
+void Session::obey(const Race& race) {
+  if (!race.rival && !race_) return;
+  race_ = race.rival;
+  begin({.X_WB = walk_->place()});
+}
+
 void Session::obey(const Break& fault) {
   recording::PlantSetup& plant = options_.simulation.plant;
   const walk::PartFault part = admitted(fault.fault, plant.parts, options_.robot);
-  if (part.kind != walk::PartFaultKind::load) walk_->add(part);
+  if (part.kind != walk::PartFaultKind::load) each([&](SteeredWalk& walk) { walk.add(part); });
   if (part.kind == walk::PartFaultKind::push) return;  // it passes
   plant.parts.push_back(part);
   if (part.kind == walk::PartFaultKind::load)
@@ -126,6 +135,7 @@ void Session::obey(const ChangePlant& change) {
 
 void Session::obey(Reset) {
   options_ = began_;
+  race_ = std::nullopt;
   command_ = {options_.heading, kNoLimit};
   paused_ = silent_ = false;
   begin({});

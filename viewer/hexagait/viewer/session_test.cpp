@@ -347,6 +347,35 @@ TEST(Session, TheRobotThatItBeganWithCanBeChosen) {
   frame_when(session, [](const PoseFrame& f) { return f.scene == 3 && f.legs.size() == 6; });
 }
 
+// A second robot on the same ground, told the same, of another gait; after a reset it is gone.
+TEST(Session, RacesTwoRobots) {
+  Session session(options("boxes:5cm"));
+  const ClientId client = session.enter();
+  EXPECT_THAT(session.receive(client, R"({"type":"speed","factor":4})"), IsEmpty());
+  EXPECT_THAT(session.receive(client, R"({"type":"race","on":true,"gait":"tripod"})"), IsEmpty());
+  EXPECT_THAT(session.receive(client, R"({"type":"drive","curvature":0})"), IsEmpty());
+  EXPECT_THAT(setup_with(session, "tripod"), HasSubstr(R"("race":"tripod")"));
+  Session::Seen seen;
+  Session::Letter letter;
+  PoseFrame own, rival;
+  for (int k = 0; k < 500 && rival.path < 0.3; ++k) {
+    EXPECT_THAT(session.receive(client, R"({"type":"beat"})"), IsEmpty());
+    while (session.newer_than(seen, letter)) {
+      if (letter.kind == Session::Mail::frame) own = decode(letter.content);
+      if (letter.kind == Session::Mail::rival) rival = decode(letter.content);
+    }
+    std::this_thread::sleep_for(milliseconds(10));
+  }
+  EXPECT_GT(rival.path, 0.3);
+  EXPECT_GT(own.path, rival.path);  // over rough ground the tripod that waits is slower
+  EXPECT_EQ(rival.scene, 2U);
+  EXPECT_EQ(rival.flags & (PoseFrame::rival | PoseFrame::tripod),
+            PoseFrame::rival | PoseFrame::tripod);
+  EXPECT_EQ(own.flags & (PoseFrame::rival | PoseFrame::tripod), 0);
+  EXPECT_THAT(session.receive(client, R"({"type":"reset"})"), IsEmpty());
+  EXPECT_THAT(setup_with(session, R"("race":null)"), HasSubstr(R"("scene":3)"));
+}
+
 // Who looks once a second gets the newest frame, not sixty.
 TEST(Session, KeepsTheNewestFrameOnly) {
   const Session session(options());

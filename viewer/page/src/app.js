@@ -58,9 +58,10 @@ class App {
   /** A walk that goes on, or a replay, as the server has it. */
   listen() {
     const { link } = this, tape = new Tape(kKept);
-    link.on("scene", (scene) => { [tape.scene, tape.ground, tape.setup] = [scene, null, null]; });
+    link.on("scene", (scene) => { [tape.scene, tape.ground, tape.setup, tape.rival] = [scene, null, null, null]; });
     link.on("ground", (told) => { if (told.scene === tape.scene?.scene) tape.ground = told; });
     link.on("setup", (setup) => { if (setup.scene === tape.scene?.scene) tape.setup = setup; });
+    link.on("rival", (bytes) => { tape.rival = bytes; });
     link.on("frame", (bytes) => { if (tape.add(bytes)) this.player.grown(); });
     link.on("error", ({ what }) => this.panels.notice(what));
     link.on("closed", () => this.panels.showState("not connected", "bad"));
@@ -95,7 +96,7 @@ class App {
     this.panels.timeline = this.timeline = new Timeline(this.player, live);
   }
 
-  show({ scene, ground, setup, bytes }) {
+  show({ scene, ground, setup, rival, bytes }) {
     if (scene !== this.scene) {
       this.scene = scene;
       this.begun = true;
@@ -110,6 +111,8 @@ class App {
       this.setup = setup;
       this.showSetup();
     }
+    this.rival = rival && decodeFrame(rival);
+    if (this.rival?.scene !== scene.scene) this.rival = null;
     this.take(decodeFrame(bytes));
   }
 
@@ -117,7 +120,7 @@ class App {
     this.panels.faults.showSetup(this.setup);
     this.overlays.showRoute(this.setup?.path ?? null);
     this.panels.route = this.setup?.path ?? null;
-    this.robot.lose(cutLegs(this.setup?.faults ?? [], this.names));
+    for (const robot of [this.robot, this.ghost]) robot.lose(cutLegs(this.setup?.faults ?? [], this.names));
   }
 
   restart(entries) {
@@ -140,10 +143,12 @@ class App {
   build() {
     if (!this.scene) return;
     this.robot?.dispose();
+    this.ghost?.dispose();
     this.overlays?.dispose();
     this.robot = new Robot(this.scene, this.world.paint);
     this.overlays = new Overlays(this.scene, this.world.paint);
-    this.world.scene.add(this.robot.group, this.overlays.group);
+    this.ghost = new Robot(this.scene, this.world.paint.pale());
+    this.world.scene.add(this.robot.group, this.ghost.group, this.overlays.group);
     const names = this.scene.legs.map(({ name }) => name.slice(0, 3));
     this.names = names;
     this.sketch.spacing = 0.8 * Math.min(...this.scene.legs.map(({ radius }) => radius));
@@ -275,6 +280,8 @@ class App {
     if (this.timeline?.live) this.pad.poll(now);
     if (this.frame && this.robot) {
       this.robot.move(this.frame);
+      this.ghost.group.visible = Boolean(this.rival);
+      if (this.rival) this.ghost.move(this.rival);
       this.overlays.update(this.frame);
       this.world.follow(this.frame.p, this.drawn === 0 || this.leap ? 1 : 0.08);
       this.leap = false;
@@ -295,6 +302,7 @@ class App {
     if ($("countdown").textContent !== left) $("countdown").textContent = left;
     for (const strip of this.strips) strip.draw(this.colours);
     this.panels.showFrame(frame, this.world);
+    this.panels.showRace(frame, this.rival, this.setup?.race);
     this.timeline.show(frame);
   }
 }
@@ -306,6 +314,7 @@ try {
     frame: () => app.frame,
     scene: () => app.scene,
     setup: () => app.setup,
+    rival: () => app.rival,
     cut: () => app.robot.lost,
     feet: () => { app.robot.move(app.frame); return { frame: app.frame, drawn: app.robot.footPositions() }; },
     you: () => app.link.you,

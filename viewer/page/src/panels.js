@@ -27,6 +27,7 @@ export class Panels {
       "spin-left": () => steering.spin("ccw"), "spin-right": () => steering.spin("cw"),
       "gait-free": () => this.gait("free"), "gait-tripod": () => this.gait("tripod"), "gait-wave": () => this.gait("wave"),
       "hide-hints": () => $("hints").classList.add("away"),
+      race: () => this.race(),
       more: () => $("more").setAttribute("aria-expanded", document.body.classList.toggle("more")),
     };
     for (const [id, act] of Object.entries(acts)) $(id).addEventListener("click", act);
@@ -36,6 +37,7 @@ export class Panels {
     $("terrain").addEventListener("change", () => this.restart());
     $("roughness").addEventListener("change", () => this.restart());
     $("roughness").addEventListener("input", () => this.showRoughness());
+    $("race-gait").addEventListener("change", () => { if (this.races) this.race(true); });
     $("duty").addEventListener("input", () => {
       $("duty-out").textContent = Number($("duty").value).toFixed(2);
       if (this.frame?.wave) this.gait("wave");
@@ -44,6 +46,19 @@ export class Panels {
   }
 
   gait(kind) { this.link.send({ type: "gait", gait: kind === "wave" ? `wave:${$("duty").value}` : kind }); }
+
+  race(on = !this.races) { this.link.send(on ? { type: "race", on, gait: $("race-gait").value } : { type: "race", on }); }
+
+  /** How far both have come. @param rival  frame of the second robot; null: there is no race  @param gait  of it */
+  showRace(frame, rival, gait) {
+    this.races = Boolean(gait);
+    if ($("race").getAttribute("aria-pressed") !== String(this.races)) $("race").setAttribute("aria-pressed", String(this.races));
+    const own = frame.tripod ? "tripod" : frame.wave ? "wave" : "free", ahead = rival ? frame.path - rival.path : 0;
+    const far = (f) => `${f.path.toFixed(2)} m${f.fell ? ", fell" : ""}`;
+    const words = rival ? `${own} ${far(frame)} · ${gait}, pale: ${far(rival)} · ${ahead < 0 ? "behind" : "ahead"} by ${Math.abs(ahead).toFixed(2)} m` : "";
+    if ($("race-facts").hidden !== !rival) $("race-facts").hidden = !rival;
+    if ($("race-facts").textContent !== words) $("race-facts").textContent = words;
+  }
 
   restart() {
     const terrain = $("terrain").value, whole = terrain === "flat" || terrain.includes(":");
@@ -65,7 +80,7 @@ export class Panels {
       w: () => s.set(s.curvature, 0), s: () => s.set(s.curvature, 180), a: () => s.bend(1), d: () => s.bend(-1),
       q: () => s.turn(1), e: () => s.turn(-1), x: this.acts.stop, p: this.acts.push, r: this.acts.scramble,
       c: this.faults.acts.cut, k: this.faults.acts.dead, b: this.faults.acts.break, m: this.faults.acts.mend,
-      n: () => this.faults.otherPlant(), Backspace: this.acts.reset, ArrowUp: () => s.go(), f: () => this.onDraw?.(),
+      g: this.acts.race, n: () => this.faults.otherPlant(), Backspace: this.acts.reset, ArrowUp: () => s.go(), f: () => this.onDraw?.(),
     } : {};
     const act = { ...ofTime, ...ofWalk }[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (!act) return;
