@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <hexagait/text/invalid_input.hpp>
+#include <hexagait/walk/path_file.hpp>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -29,6 +30,10 @@ viewer::SessionOptions options(const char* command, const WalkArguments& argumen
   result.robots = known_names("robots", ".urdf");
   result.load = [](const std::string& name) {
     return viewer::LoadedRobot{load_robot(name, {}, true), given_params(name, "", {})};
+  };
+  result.paths = known_names("paths", ".yaml");
+  result.load_path = [](const std::string& name, const RobotModel& robot, const StepParams& step) {
+    return walk::load_path(shared_file("path", name, "paths", ".yaml"), robot, step);
   };
   return result;
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -69,17 +70,17 @@ class Message {
         throw InvalidInput(fmt::format("\"{}\" has no \"{}\"", type_, key.substr(0, 32)));
   }
 
-  [[noreturn]] void refuse(const char* key, const std::string& why) const {
-    throw InvalidInput(fmt::format("\"{}\" of \"{}\": {}", key, type_, why));
-  }
-
- private:
   [[nodiscard]] const Json& at(const char* key) const {
     const auto found = json_.find(key);
     if (found == json_.end()) refuse(key, "it is missing");
     return *found;
   }
 
+  [[noreturn]] void refuse(const char* key, const std::string& why) const {
+    throw InvalidInput(fmt::format("\"{}\" of \"{}\": {}", key, type_, why));
+  }
+
+ private:
   const Json& json_;
   std::string type_;
 };
@@ -112,6 +113,43 @@ Command spin(const Message& m) {
   return Drive{Heading::spin(turn == "ccw" ? Turn::ccw : Turn::cw), limit(m)};
 }
 
+Vector2 point(const Message& m, const Json& json) {
+  constexpr double kFar = 1e5;  // [m]
+  const auto refuse = [&] {
+    m.refuse("points",
+             fmt::format("each must be [x, y] of numbers from {:.4g} to {:.4g}", -kFar, kFar));
+  };
+  if (!json.is_array() || json.size() != 2) refuse();
+  Vector2 p;
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (!json[k].is_number()) refuse();
+    const auto value = json[k].get<double>();
+    if (!(std::abs(value) <= kFar)) refuse();
+    p[static_cast<Eigen::Index>(k)] = value;
+  }
+  return p;
+}
+
+Command follow(const Message& m) {
+  m.only({"points", "closed", "path", "limit"});
+  if (m.has("points") == m.has("path"))
+    throw InvalidInput("\"follow\" needs one of \"points\" and \"path\"");
+  Follow result;
+  result.limit = limit(m);
+  if (m.has("path")) {
+    m.only({"path", "limit"});
+    result.name = m.word("path");
+    if (result.name.empty()) m.refuse("path", "it must not be empty");
+    return result;
+  }
+  if (m.has("closed")) result.closed = m.truth("closed");
+  const Json& points = m.at("points");
+  if (!points.is_array() || points.size() < 2 || points.size() > kMostPathPoints)
+    m.refuse("points", fmt::format("it must be a list of 2 to {} points", kMostPathPoints));
+  for (const Json& one : points) result.points_W.push_back(point(m, one));
+  return result;
+}
+
 Command twist(const Message& m) {
   m.only({"vx", "vy", "wz"});
   DriveTwist result;
@@ -126,6 +164,35 @@ Command gait(const Message& m) {
   if (!choice || choice->adjustment != gait_state::Adjustment::latched || choice->open_loop)
     m.refuse("gait", "it must be free, tripod or wave:BETA with BETA from 0.5 to less than 1");
   return ChangeGait{choice->stepper};
+}
+
+Command race(const Message& m) {
+  m.only({"on", "gait"});
+  if (!m.truth("on")) {
+    m.only({"on"});
+    return Race{};
+  }
+  const auto choice = gait_state::parse_gait_choice(m.word("gait"));
+  if (!choice) m.refuse("gait", fmt::format("it must be {}", gait_state::kGaitChoices));
+  return Race{choice};
+}
+
+Command fault(const Message& m) {
+  m.only({"fault"});
+  const std::string text = m.word("fault");
+  if (text.find('@') != std::string::npos)
+    m.refuse("fault", "it begins when it comes; leave out the @ and what is behind it");
+  return Break{walk::parse_part_fault(text)};
+}
+
+Command plant(const Message& m) {
+  m.only({"plant"});
+  const auto& presets = recording::plant_presets();
+  const auto preset = std::ranges::find(presets, m.word("plant"), &recording::PlantPreset::name);
+  if (preset != presets.end()) return ChangePlant{&*preset};
+  std::vector<std::string_view> names;
+  for (const auto& one : presets) names.push_back(one.name);
+  m.refuse("plant", fmt::format("it must be {}", fmt::join(names, " or ")));
 }
 
 Command restart(const Message& m) {
@@ -157,6 +224,7 @@ constexpr std::array kKinds = {
     Kind{"spin", spin},
     Kind{"twist", twist},
     Kind{"stop", plain<Stop>},
+    Kind{"follow", follow},
     Kind{"pause",
          [](const Message& m) -> Command {
            m.only({"on"});
@@ -179,6 +247,10 @@ constexpr std::array kKinds = {
            return Push{m.number("angle", -kFullTurn, kFullTurn)};
          }},
     Kind{"gait", gait},
+    Kind{"race", race},
+    Kind{"fault", fault},
+    Kind{"mend", plain<Mend>},
+    Kind{"plant", plant},
     Kind{"reset", plain<Reset>},
     Kind{"restart", restart},
     Kind{"beat", plain<Beat>},

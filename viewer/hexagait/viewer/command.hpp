@@ -3,15 +3,17 @@
 #pragma once
 
 #include <cstdint>
-#include <hexagait/gait_state/stepper.hpp>
+#include <hexagait/gait_state/gait_choice.hpp>
 #include <hexagait/heading_control/heading.hpp>
 #include <hexagait/math/planar.hpp>
+#include <hexagait/recording/plant_setup.hpp>
 #include <hexagait/sim3d/terrain.hpp>
 #include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 /// What a page may ask for. One message is one JSON object, flat, with a "type":
 ///
@@ -19,15 +21,22 @@
 ///     {"type":"spin","turn":"ccw"}                     or "cw"
 ///     {"type":"twist","vx":0.1,"vy":0,"wz":0.2}        of the body, [m/s], [rad/s]; an upper limit
 ///     {"type":"stop"}
+///     {"type":"follow","points":[[0,0],[2,0.5]],"closed":false}     in the world [m], 2 to 100 of them
+///     {"type":"follow","path":"square"}                a path that comes along, from where it is
 ///     {"type":"pause","on":true}    {"type":"step","ticks":1}    {"type":"speed","factor":0.25}
 ///     {"type":"scramble"}           {"type":"push","angle":1.57}  direction in the body frame
 ///     {"type":"gait","gait":"wave:0.75"}               or free, tripod
+///     {"type":"race","on":true,"gait":"tripod"}        a second robot beside it, of any gait of hexagait walk
+///     {"type":"race","on":false}
+///     {"type":"fault","fault":"weak:LF_knee:50%"}      as of hexagait walk --fault, from now on
+///     {"type":"mend"}                                  without faults, where it is
+///     {"type":"plant","plant":"real"}                  a preset of hexagait list plants, where it is
 ///     {"type":"reset"}                                 robot and ground as they began
 ///     {"type":"restart","robot":"argos","terrain":"boxes:10cm","seed":2}   each may be left out
 ///     {"type":"beat"}               a sign of life from who holds the wheel
 ///     {"type":"release"}            gives the wheel back
 ///
-/// drive and spin may have a "limit" of the speed [m/s of path]. An unknown key is refused, as a
+/// drive, spin and follow may have a "limit" of the speed [m/s of path]. An unknown key is refused, as a
 /// key that is missing is.
 namespace hexagait::viewer {
 
@@ -41,6 +50,13 @@ struct DriveTwist {
   PlanarTwist twist;  ///< [m/s, rad/s]
 };
 struct Stop {};
+/// A path through points, or one by its name, of those that the server lists.
+struct Follow {
+  std::vector<Vector2> points_W;  ///< [m]
+  bool closed = false;
+  std::string name = {};    ///< if not empty there are no points
+  double limit = kNoLimit;  ///< [m/s of path]
+};
 struct Pause {
   bool on = true;
 };
@@ -57,6 +73,16 @@ struct Push {
 struct ChangeGait {
   gait_state::StepperParams stepper;
 };
+struct Race {
+  std::optional<gait_state::GaitChoice> rival;  ///< nothing: the race is over
+};
+struct Break {
+  walk::PartFault fault;  ///< there from now on; not resolved()
+};
+struct Mend {};
+struct ChangePlant {
+  const recording::PlantPreset* preset = nullptr;  ///< never null
+};
 struct Reset {};
 struct Restart {
   std::optional<std::string> robot;  ///< a name, of those that the server lists; never a path
@@ -66,8 +92,9 @@ struct Restart {
 struct Beat {};
 struct Release {};
 
-using Command = std::variant<Drive, DriveTwist, Stop, Pause, SingleStep, SpeedFactor, Scramble,
-                             Push, ChangeGait, Reset, Restart, Beat, Release>;
+using Command =
+    std::variant<Drive, DriveTwist, Stop, Follow, Pause, SingleStep, SpeedFactor, Scramble, Push,
+                 ChangeGait, Race, Break, Mend, ChangePlant, Reset, Restart, Beat, Release>;
 
 /// Why a message is no command, in words for the person who sent it.
 struct CommandError {
@@ -75,7 +102,9 @@ struct CommandError {
 };
 
 /// The longest message that is read [bytes].
-inline constexpr std::size_t kMaxMessage = 1024;
+inline constexpr std::size_t kMaxMessage = 4096;
+/// The most points of a path that is drawn.
+inline constexpr std::size_t kMostPathPoints = 100;
 /// The highest terrain that a page may ask for [m].
 inline constexpr double kMaxTerrain = 0.5;
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -55,6 +56,13 @@ TEST(Command, ReadsEveryType) {
   const auto gait = parsed<ChangeGait>(R"({"type":"gait","gait":"wave:0.75"})");
   EXPECT_EQ(gait.stepper.stepping, gait_state::Stepping::wave);
   EXPECT_EQ(gait.stepper.duty_factor, 0.75);
+  EXPECT_TRUE(parsed<Race>(R"({"type":"race","on":true,"gait":"clocked"})").rival->open_loop);
+  EXPECT_FALSE(parsed<Race>(R"({"type":"race","on":false})").rival);
+  const auto fault = parsed<Break>(R"({"type":"fault","fault":"weak:LF_knee:50%"})");
+  EXPECT_EQ(fault.fault.kind, walk::PartFaultKind::weak);
+  EXPECT_EQ(fault.fault.value, 0.5);
+  parsed<Mend>(R"({"type":"mend"})");
+  EXPECT_EQ(parsed<ChangePlant>(R"({"type":"plant","plant":"real"})").preset->name, "real");
   parsed<Reset>(R"({"type":"reset"})");
   const auto restart = parsed<Restart>(R"({"type":"restart","terrain":"steps:8cm","seed":3})");
   EXPECT_EQ(restart.terrain->roughness(), 0.08);
@@ -77,7 +85,7 @@ TEST(Command, RefusesWhatIsTooLong) {
   std::string text = R"({"type":"stop"})";
   text.append(kMaxMessage - text.size(), ' ');
   EXPECT_EQ(error_of(text), "accepted");
-  EXPECT_THAT(error_of(text + " "), HasSubstr("more than 1024 bytes"));
+  EXPECT_THAT(error_of(text + " "), HasSubstr("more than 4096 bytes"));
 }
 
 // Overlong, a lone continuation, a surrogate, above U+10FFFF, cut off; and a text that is right.
@@ -118,7 +126,60 @@ TEST(Command, RefusesWhatIsOutOfRange) {
   EXPECT_THAT(error_of(R"({"type":"restart","terrain":"boxes:5cm+heightmap:0.1,1m,a.png"})"),
               HasSubstr("must not name a file"));
   EXPECT_THAT(error_of(R"({"type":"gait","gait":"clocked"})"), HasSubstr("free, tripod"));
+  EXPECT_THAT(error_of(R"({"type":"race","on":true,"gait":"gallop"})"), HasSubstr("free, unadj"));
+  EXPECT_THAT(error_of(R"({"type":"race","on":true})"), HasSubstr("it is missing"));
+  EXPECT_THAT(error_of(R"({"type":"race","on":false,"gait":"free"})"), HasSubstr("no \"gait\""));
   EXPECT_THAT(error_of(R"({"type":"restart","seed":-1})"), HasSubstr("whole number"));
+}
+
+TEST(Command, ReadsPaths) {
+  const auto drawn = parsed<Follow>(
+      R"({"type":"follow","points":[[0,0],[1.5,-2],[3,0]],"closed":true,"limit":0.1})");
+  ASSERT_EQ(drawn.points_W.size(), 3U);
+  EXPECT_EQ(drawn.points_W[1], Vector2(1.5, -2.0));
+  EXPECT_TRUE(drawn.closed);
+  EXPECT_EQ(drawn.limit, 0.1);
+  const auto named = parsed<Follow>(R"({"type":"follow","path":"square"})");
+  EXPECT_EQ(named.name, "square");
+  EXPECT_TRUE(named.points_W.empty());
+}
+
+TEST(Command, RefusesPathsThatAreNone) {
+  const auto error = [](const std::string& points) {
+    return error_of(R"({"type":"follow","points":)" + points + "}");
+  };
+  EXPECT_THAT(error("[[0,0]]"), HasSubstr("2 to 100 points"));
+  std::string many = "[[0,0]";
+  for (int k = 1; k <= 100; ++k) many += fmt::format(",[{},0]", k);
+  EXPECT_THAT(error(many + "]"), HasSubstr("2 to 100 points"));
+  EXPECT_THAT(error("7"), HasSubstr("2 to 100 points"));
+  for (const char* const bad : {"[0,0,0]", "[0]", "0", "[0,\"1\"]", "[0,null]", "[2e5,0]", "{}"})
+    EXPECT_THAT(error(fmt::format("[[0,0],{}]", bad)), HasSubstr("each must be [x, y]")) << bad;
+  EXPECT_THAT(error("[[0,0],[NaN,0]]"), HasSubstr("not JSON"));
+  EXPECT_THAT(error_of(R"({"type":"follow"})"), HasSubstr("one of \"points\" and \"path\""));
+  EXPECT_THAT(error_of(R"({"type":"follow","path":"square","closed":true})"),
+              HasSubstr("no \"closed\""));
+  EXPECT_THAT(error_of(R"({"type":"follow","path":""})"), HasSubstr("must not be empty"));
+}
+
+TEST(Command, RefusesFaultsThatAreNone) {
+  const auto error = [](const std::string& fault) {
+    return error_of(R"({"type":"fault","fault":")" + fault + "\"}");
+  };
+  EXPECT_THAT(error("ded:LF"), HasSubstr("did you mean 'dead'?"));
+  EXPECT_THAT(error("weak:LF_knee:150%"), HasSubstr("a share from 0 to 1"));
+  EXPECT_THAT(error("weak:LF_knee:nan"), HasSubstr("a share from 0 to 1"));
+  EXPECT_THAT(error("contact_late:LF:1h"), HasSubstr("from 0 to 1 s"));
+  EXPECT_THAT(error("load:1e9kg:0:0"), HasSubstr("a mass from 0 to"));
+  EXPECT_THAT(error("load:1kg:inf:0"), HasSubstr("'inf'"));
+  EXPECT_THAT(error("push:5Ns:1e999"), HasSubstr("1e999"));
+  EXPECT_THAT(error("dead:LF@5s"), HasSubstr("leave out the @"));
+  EXPECT_THAT(error(fmt::format("dead:{:L>80}", "F")), HasSubstr("at most 64 letters"));
+  EXPECT_THAT(error_of(R"({"type":"fault"})"), HasSubstr("it is missing"));
+  EXPECT_THAT(error_of(R"({"type":"fault","fault":"dead:LF","leg":1})"), HasSubstr("no \"leg\""));
+  EXPECT_THAT(error_of(R"({"type":"plant","plant":"rael"})"), HasSubstr("ideal or real"));
+  EXPECT_THAT(error_of(R"({"type":"plant","plant":"real+friction:0.1"})"),
+              HasSubstr("ideal or real"));
 }
 
 TEST(Command, RefusesKeysThatAreMissingOrUnknown) {

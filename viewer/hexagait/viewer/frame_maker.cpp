@@ -107,9 +107,10 @@ void FrameMaker::show_legs(const footstep_gen::TickRecord& record, PoseFrame& f)
     leg.p_WF = p_WF[i] = foot.p_WF;
     leg.force = foot.normal_force;
     leg.q = q_[i];
-    leg.phase = static_cast<std::uint8_t>(record.legs[i].phase);
+    leg.phase = record.lost.contains(i) ? kLost : static_cast<std::uint8_t>(record.legs[i].phase);
     if (i < record.gait_input.lag.size()) leg.lag = record.gait_input.lag[i];
-    if (!record.legs[i].on_ground()) leg.p_WT = X_WO * record.footsteps[i].p_OT;
+    if (!record.legs[i].on_ground() && leg.phase != kLost)
+      leg.p_WT = X_WO * record.footsteps[i].p_OT;
     f.contact.set(i, foot.in_contact);
     f.support.set(i, record.legs[i].on_ground());
     if (foot.in_contact) f.slip_speed = std::max(f.slip_speed, foot.slip_speed);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <hexagait/balance/support_polygon.hpp>
+#include <hexagait/executor/leg_lane.hpp>
 #include <hexagait/math/geometry.hpp>
 #include <hexagait/math/leg.hpp>
 #include <hexagait/math/planar.hpp>
@@ -14,6 +15,9 @@
 
 namespace hexagait::viewer {
 
+/// In place of a LegPhase: the robot does without this leg.
+inline constexpr std::uint8_t kLost = static_cast<std::uint8_t>(LegPhase::hold) + 1;
+
 /// One leg in a PoseFrame.
 struct LegFrame {
   Vector3 p_WF = Vector3::Zero();  ///< foot centre [m]
@@ -22,7 +26,7 @@ struct LegFrame {
   Vector3 p_WT = Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
   double force = 0.0;      ///< true normal force on the foot [N]
   double lag = 0.0;        ///< δ, behind the workspace centre [m of path]
-  std::uint8_t phase = 0;  ///< LegPhase
+  std::uint8_t phase = 0;  ///< LegPhase, or kLost
   LegJoints q = LegJoints::Zero();
 };
 
@@ -50,6 +54,8 @@ struct PoseFrame {
     wave = 8,      ///< gait: a wave
     tripod = 16,   ///< gait: the tripod that waits
     holding = 32,  ///< the measurement is late: the robot holds still
+    follows = 64,  ///< a path on the ground
+    rival = 128,   ///< it is of the second robot of a race
   };
 
   std::uint8_t flags = 0;
@@ -68,10 +74,10 @@ struct PoseFrame {
 
   double margin = 0.0;            ///< static stability margin [m]
   Vector3 com = Vector3::Zero();  ///< centre of mass [m]
-  double lateral = 0.0;           ///< distance from the commanded curve, > 0 to its left [m]
-  double path = 0.0;              ///< way of the base since the scene began [m]
-  double slip_speed = 0.0;        ///< largest of the feet in contact [m/s]
-  double power = 0.0;             ///< mechanical, sum over the joints of |τ q̇|, smoothed [W]
+  double lateral = 0.0;     ///< distance from the commanded curve or the path, > 0 to its left [m]
+  double path = 0.0;        ///< way of the base since the scene began [m]
+  double slip_speed = 0.0;  ///< largest of the feet in contact [m/s]
+  double power = 0.0;       ///< mechanical, sum over the joints of |τ q̇|, smoothed [W]
 
   std::uint16_t raw = 0, state = 0;  ///< gait_state::GaitState::bits
   std::uint8_t ccn = 0, type = 0;

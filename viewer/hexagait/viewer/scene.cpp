@@ -40,7 +40,8 @@ Json json(const LinkModel& link) {
 Json json(const LegModel& leg) {
   Json joints = Json::array();
   for (int k = 0; k < leg.num_joints(); ++k)
-    joints.push_back({{"axis", json(leg.axis_B0[k])},
+    joints.push_back({{"name", leg.joint_names[k]},
+                      {"axis", json(leg.axis_B0[k])},
                       {"point", json(leg.p_BJ0[k])},
                       {"link", json(leg.links[k])}});
   return {{"name", short_leg_name(leg.name)}, {"centre", json(leg.p_BC)},
@@ -91,6 +92,22 @@ Json terrains() {
   return list;
 }
 
+Json faults(const RobotModel& robot) {
+  Json list = Json::array();
+  for (const walk::PartFaultWords& kind : walk::part_fault_kinds())
+    list.push_back({{"syntax", kind.syntax},
+                    {"meaning", kind.meaning},
+                    {"values", walk::example_values(kind.kind, robot)}});
+  return list;
+}
+
+Json plants() {
+  Json list = Json::array();
+  for (const recording::PlantPreset& preset : recording::plant_presets())
+    list.push_back({{"name", preset.name}, {"meaning", preset.meaning}});
+  return list;
+}
+
 }  // namespace
 
 GroundPatch GroundPatch::around(const sim3d::Terrain& terrain, const Vector2& p_W) {
@@ -104,8 +121,7 @@ bool GroundPatch::is_left_by(const sim3d::Terrain& terrain, const Vector2& p_W) 
 }
 
 std::string scene_json(const RobotModel& robot, const sim3d::Terrain& terrain, std::uint64_t seed,
-                       double control_dt, std::uint32_t number,
-                       const std::vector<std::string>& robots) {
+                       double control_dt, std::uint32_t number, const SceneChoices& choices) {
   Json legs = Json::array();
   for (const LegModel& leg : robot.legs) legs.push_back(json(leg));
   const Json scene = {{"type", "scene"},
@@ -118,8 +134,11 @@ std::string scene_json(const RobotModel& robot, const sim3d::Terrain& terrain, s
                       {"foot_radius", robot.foot_radius},
                       {"base", json(robot.base)},
                       {"legs", legs},
-                      {"robots", robots},
-                      {"terrains", terrains()}};
+                      {"robots", choices.robots},
+                      {"paths", choices.paths},
+                      {"terrains", terrains()},
+                      {"faults", faults(robot)},
+                      {"plants", plants()}};
   return text_of(scene);
 }
 
@@ -146,6 +165,24 @@ std::string ground_json(const sim3d::Terrain& terrain, const GroundPatch& patch,
                  {"ramp", ramps ? terrain.sample_spacing() : 0.0},
                  {"levels", levels}});
   return text_of(ground);
+}
+
+std::string setup_json(const SceneSetup& setup, std::uint32_t scene) {
+  Json faults = Json::array();
+  for (const walk::PartFault& fault : setup.plant.parts) faults.push_back(fault.text);
+  Json way;
+  if (setup.path != nullptr) {
+    Json points = Json::array();
+    for (const Vector2& p : setup.path->picture())
+      points.push_back({rounded(p.x()), rounded(p.y())});
+    way = {{"points", points}, {"closed", setup.path->closed()}};
+  }
+  return text_of({{"type", "setup"},
+                  {"scene", scene},
+                  {"plant", setup.plant.name},
+                  {"faults", faults},
+                  {"path", way},
+                  {"race", setup.race ? Json(to_string(*setup.race)) : Json()}});
 }
 
 std::string hello_json(std::uint32_t client) {

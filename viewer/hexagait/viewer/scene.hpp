@@ -3,9 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <hexagait/gait_state/gait_choice.hpp>
 #include <hexagait/math/planar.hpp>
 #include <hexagait/model/robot_model.hpp>
+#include <hexagait/recording/plant_setup.hpp>
 #include <hexagait/sim3d/terrain.hpp>
+#include <hexagait/viewer/followed_path.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,17 +28,34 @@ struct GroundPatch {
   [[nodiscard]] bool is_left_by(const sim3d::Terrain& terrain, const Vector2& p_W) const;
 };
 
+/// Names of what comes along, from which a page may choose.
+struct SceneChoices {
+  std::vector<std::string> robots = {}, paths = {};
+};
+
 /// {"type":"scene", …}: the robot's links with their shapes, joints and feet, from which a page
-/// moves it by the joint angles of a PoseFrame alone; names of robots and terrains to choose from.
+/// moves it by the joint angles of a PoseFrame alone; names of robots, paths, terrains,
+/// faults and plants to choose from.
 /// @param number  that the frames of this scene carry
 [[nodiscard]] std::string scene_json(const RobotModel& robot, const sim3d::Terrain& terrain,
                                      std::uint64_t seed, double control_dt, std::uint32_t number,
-                                     const std::vector<std::string>& robots);
+                                     const SceneChoices& choices);
 
 /// {"type":"ground", …}: level cells between the edges x and y, row by row (x, then y), with walls or
 /// ramps between them; or, if smooth, the heights at the points x, y [m].
 [[nodiscard]] std::string ground_json(const sim3d::Terrain& terrain, const GroundPatch& patch,
                                       std::uint32_t scene);
+
+/// What can change while a scene goes on.
+struct SceneSetup {
+  const recording::PlantSetup& plant;
+  const FollowedPath* path = nullptr;               ///< null: none
+  std::optional<gait_state::GaitChoice> race = {};  ///< gait of the second robot, if there is one
+};
+
+/// {"type":"setup","scene":3,"plant":"real","faults":["dead:LF"],"path":{"points":[[0,0],…],"closed":true},
+/// "race":"tripod"}. Points are in the world [m]; without a path, or a race, it is null.
+[[nodiscard]] std::string setup_json(const SceneSetup& setup, std::uint32_t scene);
 
 /// {"type":"hello","you":7}: the client's number, which frames name as the holder of the wheel.
 [[nodiscard]] std::string hello_json(std::uint32_t client);

@@ -21,7 +21,8 @@ Vector3 vector(const json& v) {
 
 json scene_of(const RobotModel& robot) {
   const sim3d::Terrain terrain(sim3d::parse_terrain("boxes:0.1"), 1);
-  return json::parse(scene_json(robot, terrain, 1, 0.002, 7, {"argos", "other"}));
+  return json::parse(
+      scene_json(robot, terrain, 1, 0.002, 7, {.robots = {"argos", "other"}, .paths = {"square"}}));
 }
 
 // What a page does: rotations about the joints' axes, one after the other, move the foot from where
@@ -53,6 +54,30 @@ TEST(Scene, HasEveryShapeOfEveryLink) {
   EXPECT_EQ(vector(scene["base"]["shapes"][0]["size"]), robot.base.shapes[0].size);
   const json& shin = scene["legs"][5]["joints"][2]["link"];
   EXPECT_EQ(shin["shapes"].size(), robot.legs[5].links[2].shapes.size());
+}
+
+// A kind that is added to the library is on the page without further ado.
+TEST(Scene, ListsAllFaultsAndPlantsOfTheLibrary) {
+  const json scene = scene_of(argos());
+  ASSERT_EQ(scene["faults"].size(), walk::part_fault_kinds().size());
+  for (std::size_t k = 0; k < scene["faults"].size(); ++k)
+    EXPECT_EQ(scene["faults"][k]["syntax"], walk::part_fault_kinds()[k].syntax);
+  ASSERT_EQ(scene["plants"].size(), recording::plant_presets().size());
+  EXPECT_EQ(scene["plants"][1]["name"], recording::plant_presets()[1].name);
+  EXPECT_EQ(scene["legs"][0]["joints"][2]["name"], "LF_knee");
+}
+
+TEST(Scene, SetupTellsPlantAndFaults) {
+  recording::PlantSetup plant = recording::parse_plant("real");
+  recording::add_faults(plant, std::vector<std::string>{"cut:LF"});
+  const json setup = json::parse(setup_json({plant}, 4));
+  EXPECT_EQ(setup["type"], "setup");
+  EXPECT_EQ(setup["scene"], 4);
+  EXPECT_EQ(setup["faults"], json({"cut:LF"}));
+  EXPECT_TRUE(setup["path"].is_null());
+  EXPECT_TRUE(setup["race"].is_null());
+  const auto tripod = gait_state::parse_gait_choice("tripod");
+  EXPECT_EQ(json::parse(setup_json({plant, nullptr, tripod}, 4))["race"], "tripod");
 }
 
 TEST(Scene, GroundHasTheLevelsOfTheTerrainByRows) {

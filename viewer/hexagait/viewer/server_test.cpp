@@ -153,12 +153,13 @@ class ServedWithToken : public Served {
 
 constexpr const char* kWelcome = "HTTP/1.1 101";
 
-TEST_F(Served, StreamsSceneGroundAndFramesAfterAHello) {
+TEST_F(Served, StreamsSceneGroundSetupAndFramesAfterAHello) {
   Socket socket(server_.port());
   ASSERT_THAT(upgrade(socket, host(), "Origin: http://" + host() + "\r\n"), StartsWith(kWelcome));
   EXPECT_THAT(socket.message(), HasSubstr("\"hello\""));
   EXPECT_THAT(socket.message(), HasSubstr("\"scene\""));
   EXPECT_THAT(socket.message(), HasSubstr("\"ground\""));
+  EXPECT_THAT(socket.message(), HasSubstr("\"setup\""));
   std::uint32_t last = 0;
   for (int k = 0; k < 20; ++k) {
     const std::string frame = socket.message();
@@ -214,7 +215,7 @@ TEST_F(Served, AnswersNonsenseByAnErrorAndGoesOn) {
   socket.send_text("\xFF\xFE");
   EXPECT_THAT(socket.text_with("error"), HasSubstr("not UTF-8"));
   socket.send_text(std::string(20000, ' '));
-  EXPECT_THAT(socket.text_with("error"), HasSubstr("more than 1024 bytes"));
+  EXPECT_THAT(socket.text_with("error"), HasSubstr("more than 4096 bytes"));
   socket.send_text(R"({"type":"st)", 0x01);  // in two fragments
   socket.send_text(R"(op"})", 0x80);
   for (int k = 0; k < 200; ++k) {

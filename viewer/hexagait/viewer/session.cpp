@@ -14,7 +14,6 @@ constexpr std::size_t kMostOrders = 64;  // that wait for the next tick
 constexpr auto kMostBehind = std::chrono::milliseconds(100);
 constexpr auto kIdle = std::chrono::milliseconds(50);  // between two looks while paused
 constexpr double kMeasuring = 0.5;                     // of the speed factor [s]
-constexpr double kScramble = 0.9;                      // of the workspaces' radius
 
 Clock::duration seconds(double s) {
   return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(s));
@@ -33,14 +32,24 @@ bool is_drive(const Command& command) {
 // Is an order out of date once this one has come right after it?
 bool is_replaced(const Command& order, const Command& next) {
   if (is_drive(order)) return is_drive(next);
+  if (std::holds_alternative<Follow>(order)) return std::holds_alternative<Follow>(next);
   const bool begins_anew =
       std::holds_alternative<Scramble>(order) || std::holds_alternative<Reset>(order);
   return begins_anew && order.index() == next.index();
 }
 
+// The robot that it begins with is one to choose, wherever it comes from.
+SessionOptions with_own_robot(SessionOptions options) {
+  auto& robots = options.robots;
+  if (std::ranges::find(robots, options.robot.name) == robots.end())
+    robots.insert(robots.begin(), options.robot.name);
+  return options;
+}
+
 }  // namespace
 
-Session::Session(SessionOptions options) : options_(std::move(options)), began_(options_) {
+Session::Session(SessionOptions options)
+    : options_(with_own_robot(std::move(options))), began_(options_) {
   command_.heading = options_.heading;
   command_.speed_limit = kNoLimit;
   std::promise<void> started;
@@ -97,6 +106,11 @@ std::string Session::accept(ClientId client, Command command) {
       restart != nullptr && restart->robot &&
       std::ranges::find(began_.robots, *restart->robot) == began_.robots.end())
     return error_json(fmt::format("there is no robot \"{}\"", *restart->robot));
+
+  if (const auto* follow = std::get_if<Follow>(&command);
+      follow != nullptr && !follow->name.empty() &&
+      std::ranges::find(began_.paths, follow->name) == began_.paths.end())
+    return error_json(fmt::format("there is no path \"{}\"", follow->name));
 
   const std::lock_guard lock(mutex_);
   if (std::holds_alternative<Beat>(command)) return {};
@@ -157,15 +171,32 @@ void Session::run(std::promise<void>& started) {
 }
 
 void Session::begin(const WalkStart& start) {
-  walk_ = nullptr;  // of two worlds at once there is no need
-  walk_ = std::make_unique<SteeredWalk>(options_.robot, options_.simulation, start);
+  walk_ = nullptr;
+  rival_ = nullptr;  // of more worlds at once there is no need
+  auto walk = std::make_unique<SteeredWalk>(options_.robot, options_.simulation, start);
+  rival_ = make_rival(start);
+  walk_ = std::move(walk);
   joints_ = joint_counts(options_.robot);
   ++scene_;
   post(Mail::scene, scene_json(options_.robot, walk_->terrain(), options_.simulation.seed,
-                               walk_->control_dt(), scene_, options_.robots));
+                               walk_->control_dt(), scene_, {options_.robots, options_.paths}));
   patch_ = GroundPatch::around(walk_->terrain(), walk_->place().shift);
   post(Mail::ground, ground_json(walk_->terrain(), patch_, scene_));
+  tell_setup();
   due_ = Clock::now();
+  changed_ = true;
+}
+
+// On the same ground, from the same place, in the same posture, told the same; but of another gait.
+std::unique_ptr<SteeredWalk> Session::make_rival(const WalkStart& start) const {
+  if (!race_) return nullptr;
+  recording::Simulation simulation = options_.simulation;
+  simulation.gait = *race_;
+  return std::make_unique<SteeredWalk>(options_.robot, simulation, start);
+}
+
+void Session::tell_setup() {
+  post(Mail::setup, setup_json({options_.simulation.plant, walk_->path(), race_}, scene_));
   changed_ = true;
 }
 
@@ -190,6 +221,7 @@ void Session::obey(const Order& order) {
     post(Mail::notice, error_json(error.what()));
     if (walk_ == nullptr) {
       options_ = began_;
+      race_ = std::nullopt;
       begin({});
     }
   }
@@ -199,88 +231,19 @@ void Session::obey(const Order& order) {
   if (!paused_) statistics_.worst_delay = std::max(statistics_.worst_delay, delay);
 }
 
-void Session::obey(const Drive& drive) {
-  command_ = {drive.heading, drive.limit};
-  silent_ = false;
-  changed_ = true;
-}
-
-void Session::obey(const DriveTwist& drive) {
-  command_ = walk_->command_of(drive.twist, command_.heading);
-  silent_ = false;
-  changed_ = true;
-}
-
-void Session::obey(Stop) {
-  command_.heading = command_.heading.stopped();
-  changed_ = true;
-}
-
-void Session::obey(const Pause& pause) {
-  paused_ = pause.on;
-  steps_ = 0;
-  changed_ = true;
-}
-
-void Session::obey(const SingleStep& step) {
-  paused_ = true;
-  steps_ += step.ticks;
-}
-
-void Session::obey(const SpeedFactor& speed) {
-  options_.speed_factor = speed.factor;
-  due_ = Clock::now();
-}
-
-// The legs stand somewhere else from one tick to the next: the robot is put down anew where it is.
-void Session::obey(Scramble) {
-  double radius = options_.robot.legs[0].workspace_radius;
-  for (const LegModel& leg : options_.robot.legs) radius = std::min(radius, leg.workspace_radius);
-  begin({walk_->place(), kScramble * radius, ++draws_});
-}
-
-void Session::obey(const Push& push) { walk_->push(push.angle); }
-
-void Session::obey(const ChangeGait& change) {
-  walk_->set_gait(change.stepper);
-  options_.simulation.gait.stepper = change.stepper;
-  changed_ = true;
-}
-
-void Session::obey(Reset) {
-  options_ = began_;
-  command_ = {options_.heading, kNoLimit};
-  paused_ = silent_ = false;
-  begin({});
-}
-
-void Session::obey(const Restart& restart) {
-  SessionOptions next = options_;
-  if (restart.robot) {
-    LoadedRobot robot = options_.load(*restart.robot);
-    next.robot = std::move(robot.model);
-    next.simulation.params = robot.params;
-    next.simulation.physics_dt = next.simulation.plant.world.contact_threshold = kDerived;
-    recording::complete(next.simulation, next.robot);
-  }
-  if (restart.terrain) next.simulation.terrain = *restart.terrain;
-  if (restart.seed) next.simulation.seed = *restart.seed;
-  options_ = std::move(next);
-  command_ = {began_.heading, kNoLimit};
-  silent_ = false;
-  begin({});
-}
-
 void Session::watch_holder() {
   const std::lock_guard lock(mutex_);
   if (silent_ || !wheel_.is_silent(Clock::now())) return;
   silent_ = true;
   changed_ = true;
   command_.heading = command_.heading.stopped();
+  each([](SteeredWalk& walk) {
+    if (walk.path() != nullptr) walk.path()->interrupt();
+  });
 }
 
 void Session::tick() {
-  walk_->tick(command_);
+  each([&](SteeredWalk& walk) { walk.tick(command_); });
   if (steps_ > 0 && --steps_ == 0) changed_ = true;
   const auto now = Clock::now();
   due_ += seconds(walk_->control_dt() / options_.speed_factor);
@@ -315,6 +278,12 @@ void Session::publish() {
     statistics_.path = frame.path;
     statistics_.processor = processor_seconds();
   }
+  if (rival_ != nullptr) {
+    PoseFrame rival = rival_->frame();
+    rival.scene = scene_;
+    rival.flags |= PoseFrame::rival;
+    post(Mail::rival, encode(rival, joints_));
+  }
   if (options_.replay != nullptr) options_.replay->frame(frame, joints_);
   post(Mail::frame, encode(frame, joints_));
   const auto now = Clock::now(), next = frame_due_ + seconds(1.0 / options_.frame_rate);
@@ -324,7 +293,8 @@ void Session::publish() {
 }
 
 void Session::post(Mail kind, std::string content) {
-  if (options_.replay != nullptr && (kind == Mail::scene || kind == Mail::ground))
+  if (options_.replay != nullptr &&
+      (kind == Mail::scene || kind == Mail::ground || kind == Mail::setup))
     options_.replay->text(content);
   const std::lock_guard lock(mutex_);
   Mailbox& box = mail_[static_cast<int>(kind)];

@@ -33,8 +33,12 @@ struct SessionOptions {
   heading_control::Heading heading = heading_control::Heading::stop();  ///< until a client steers
   double speed_factor = 1.0;        ///< simulated seconds per second
   double frame_rate = 60.0;         ///< pose frames per second, at most [1/s]
-  std::vector<std::string> robots;  ///< names that a client may ask for
+  std::vector<std::string> robots;  ///< names that a client may ask for, besides that of `robot`
   std::function<LoadedRobot(const std::string& name)> load;  ///< of these names
+  std::vector<std::string> paths;                            ///< the same of paths to follow
+  std::function<path_following::PathTask(const std::string& name, const RobotModel& robot,
+                                         const StepParams& step)>
+      load_path;
   ReplayWriter* replay =
       nullptr;  ///< if not null, takes what clients are sent; must outlive the session
 };
@@ -70,7 +74,7 @@ class Session : public Host {
   [[nodiscard]] ClientId enter() override;
   void leave(ClientId client) override;
   [[nodiscard]] std::string receive(ClientId client, std::string_view message) override;
-  /// In its newest version: a scene before its ground before frames.
+  /// In its newest version: a scene before its ground before its setup before frames.
   [[nodiscard]] bool newer_than(Seen& seen, Letter& letter) const override;
 
   [[nodiscard]] SessionStatistics statistics() const;
@@ -88,17 +92,29 @@ class Session : public Host {
   [[nodiscard]] std::string accept(ClientId client, Command command);
   void run(std::promise<void>& started);
   void begin(const WalkStart& start);
+  [[nodiscard]] std::unique_ptr<SteeredWalk> make_rival(const WalkStart& start) const;
+  // Of each robot that walks.
+  template <class Act>
+  void each(Act act) {
+    act(*walk_);
+    if (rival_ != nullptr) act(*rival_);
+  }
   [[nodiscard]] bool take_orders();
   void obey(const Order& order);
   void obey(const Drive& drive);
   void obey(const DriveTwist& drive);
   void obey(Stop);
+  void obey(const Follow& follow);
   void obey(const Pause& pause);
   void obey(const SingleStep& step);
   void obey(const SpeedFactor& speed);
   void obey(Scramble);
   void obey(const Push& push);
   void obey(const ChangeGait& change);
+  void obey(const Race& race);
+  void obey(const Break& fault);
+  void obey(Mend);
+  void obey(const ChangePlant& change);
   void obey(Reset);
   void obey(const Restart& restart);
   void obey(Beat) {}
@@ -106,15 +122,19 @@ class Session : public Host {
   void watch_holder();
   void tick();
   void publish();
+  void tell_setup();
+  void take_off_path();
   void post(Mail kind, std::string content);
   void call();
   void wait_until(Clock::time_point due);
 
   // Of the simulation's thread alone.
   SessionOptions options_, began_;
-  std::unique_ptr<SteeredWalk> walk_;
+  std::unique_ptr<SteeredWalk> walk_, rival_;   // in worlds of their own; without a race no rival
+  std::optional<gait_state::GaitChoice> race_;  // of the rival
   LegArray<int> joints_;
   heading_control::HeadingCommand command_;
+  Follow followed_;
   std::uint32_t scene_ = 0;
   std::uint64_t draws_ = 0;
   GroundPatch patch_;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -43,8 +44,41 @@ PoseFrame frame_when(const Session& session, Wanted wanted) {
   return frame;
 }
 
+// The same while the client goes on holding the wheel.
+template <class Wanted>
+PoseFrame held_until(Session& session, ClientId client, Wanted wanted) {
+  return frame_when(session, [&](const PoseFrame& f) {
+    EXPECT_THAT(session.receive(client, R"({"type":"beat"})"), IsEmpty());
+    return wanted(f);
+  });
+}
+
 PoseFrame newest(const Session& session) {
   return frame_when(session, [](const PoseFrame& f) { return f.scene > 0; });
+}
+
+// The newest setup, once there is one that has this text in it.
+std::string setup_with(const Session& session, const std::string& text) {
+  Session::Letter letter;
+  for (int k = 0; k < 500; ++k) {
+    Session::Seen seen;
+    while (session.newer_than(seen, letter))
+      if (letter.kind == Session::Mail::setup && letter.content.find(text) != std::string::npos)
+        return letter.content;
+    std::this_thread::sleep_for(milliseconds(10));
+  }
+  return "no setup with " + text;
+}
+
+std::string notice(const Session& session) {
+  Session::Letter letter;
+  for (int k = 0; k < 500; ++k) {
+    Session::Seen seen;
+    while (session.newer_than(seen, letter))
+      if (letter.kind == Session::Mail::notice) return letter.content;
+    std::this_thread::sleep_for(milliseconds(10));
+  }
+  return "no notice";
 }
 
 TEST(Session, WalksByItselfAndTellsSceneBeforeGroundBeforeFrames) {
@@ -52,7 +86,8 @@ TEST(Session, WalksByItselfAndTellsSceneBeforeGroundBeforeFrames) {
   frame_when(session, [](const PoseFrame& f) { return f.path > 0.02; });
   Session::Seen seen;
   Session::Letter letter;
-  for (const auto kind : {Session::Mail::scene, Session::Mail::ground, Session::Mail::frame}) {
+  using Mail = Session::Mail;
+  for (const auto kind : {Mail::scene, Mail::ground, Mail::setup, Mail::frame}) {
     ASSERT_TRUE(session.newer_than(seen, letter));
     EXPECT_EQ(letter.kind, kind);
   }
@@ -185,7 +220,7 @@ TEST(Session, GivesEachRobotItsOwnParameters) {
   const ClientId client = session.enter();
   EXPECT_THAT(session.receive(client, R"({"type":"restart","robot":"mite"})"), IsEmpty());
   const PoseFrame frame =
-      frame_when(session, [](const PoseFrame& f) { return f.scene == 2 && f.path > 0.01; });
+      held_until(session, client, [](const PoseFrame& f) { return f.scene == 2 && f.path > 0.01; });
   EXPECT_GT(frame.path, 0.01);
   EXPECT_LT(frame.X_WB.p.z(), 0.1);
 }
@@ -197,6 +232,148 @@ TEST(Session, ScramblesTheLegsWhereItStands) {
   EXPECT_THAT(session.receive(client, R"({"type":"scramble"})"), IsEmpty());
   const PoseFrame after = frame_when(session, [](const PoseFrame& f) { return f.scene == 2; });
   EXPECT_LT((after.X_WB.p - before.X_WB.p).norm(), 0.2);
+}
+
+// In the same scene, at once; until it is mended, where the robot is.
+TEST(Session, BreaksAndMends) {
+  Session session(options());
+  const ClientId client = session.enter();
+  EXPECT_THAT(session.receive(client, R"({"type":"speed","factor":4})"), IsEmpty());
+  frame_when(session, [](const PoseFrame& f) { return f.path > 0.05; });
+  EXPECT_THAT(session.receive(client, R"({"type":"drive","curvature":0})"), IsEmpty());
+  EXPECT_THAT(session.receive(client, R"({"type":"fault","fault":"cut:RM"})"), IsEmpty());
+  EXPECT_THAT(setup_with(session, "cut:RM"), HasSubstr(R"("scene":1)"));
+  const PoseFrame lost =
+      held_until(session, client, [](const PoseFrame& f) { return f.legs[3].phase == kLost; });
+  EXPECT_FALSE(lost.contact.contains(3));
+  EXPECT_TRUE(lost.legs[3].p_WT.array().isNaN().all());
+  EXPECT_THAT(session.receive(client, R"({"type":"mend"})"), IsEmpty());
+  const PoseFrame mended =
+      held_until(session, client, [](const PoseFrame& f) { return f.scene == 2; });
+  EXPECT_LT((mended.X_WB.p - lost.X_WB.p).head<2>().norm(), 0.3);
+  EXPECT_THAT(setup_with(session, R"("scene":2)"), HasSubstr(R"("faults":[])"));
+  held_until(session, client,
+             [](const PoseFrame& f) { return f.contact.contains(3) && f.legs[3].phase != kLost; });
+}
+
+TEST(Session, RefusesFaultsOfOtherRobotsAndChangesNothing) {
+  Session session(options());
+  const ClientId client = session.enter();
+  EXPECT_THAT(session.receive(client, R"({"type":"fault","fault":"dead:L9"})"), IsEmpty());
+  EXPECT_THAT(notice(session), HasSubstr("argos has no leg 'L9'"));
+  EXPECT_THAT(setup_with(session, "setup"), HasSubstr(R"("faults":[])"));
+  EXPECT_EQ(newest(session).scene, 1U);
+}
+
+// A push passes; a load is there from a new beginning on, in the same place. Another robot has neither.
+TEST(Session, KeepsFaultsAsLongAsTheRobotHasThem) {
+  Session session(options());
+  const ClientId client = session.enter();
+  frame_when(session, [](const PoseFrame& f) { return f.path > 0.05; });
+  EXPECT_THAT(session.receive(client, R"({"type":"fault","fault":"push:5Ns:90deg"})"), IsEmpty());
+  EXPECT_THAT(session.receive(client, R"({"type":"fault","fault":"dead:LF"})"), IsEmpty());
+  EXPECT_THAT(setup_with(session, "dead:LF"), HasSubstr(R"("faults":["dead:LF"])"));
+  EXPECT_THAT(session.receive(client, R"({"type":"fault","fault":"load:5kg:0:0"})"), IsEmpty());
+  EXPECT_THAT(setup_with(session, "load"), HasSubstr(R"("scene":2)"));
+  EXPECT_THAT(session.receive(client, R"({"type":"plant","plant":"real"})"), IsEmpty());
+  EXPECT_THAT(setup_with(session, R"("scene":3)"),
+              HasSubstr(R"("plant":"real","faults":["dead:LF","load:5kg:0:0"])"));
+  EXPECT_THAT(session.receive(client, R"({"type":"restart","robot":"quadruped"})"), IsEmpty());
+  EXPECT_THAT(setup_with(session, R"("scene":4)"), HasSubstr(R"("plant":"real","faults":[])"));
+}
+
+// To the end, where it stands; the path is told until somebody steers.
+TEST(Session, FollowsAPathThatIsDrawn) {
+  Session session(options());
+  const ClientId client = session.enter();
+  EXPECT_THAT(session.receive(client, R"({"type":"speed","factor":10})"), IsEmpty());
+  const PoseFrame begin = newest(session);
+  const Vector2 a = begin.X_WB.p.head<2>() + Vector2(0.3, 0.1), b = a + Vector2(0.4, 0.3);
+  const std::string path =
+      fmt::format(R"({{"type":"follow","points":[[{},{}],[{},{}]]}})", a.x(), a.y(), b.x(), b.y());
+  EXPECT_THAT(session.receive(client, path), IsEmpty());
+  held_until(session, client,
+             [](const PoseFrame& f) { return (f.flags & PoseFrame::follows) != 0; });
+  EXPECT_THAT(setup_with(session, "points"), HasSubstr(R"("closed":false)"));
+  const PoseFrame end = held_until(session, client, [](const PoseFrame& f) {
+    return (f.flags & PoseFrame::follows) == 0 && f.path > 0.3;
+  });
+  EXPECT_FALSE(end.moving);
+  EXPECT_LT((end.X_WB.p.head<2>() - b).norm(), 0.05);
+  EXPECT_LT(std::abs(end.lateral), 0.05);
+  EXPECT_THAT(session.receive(client, R"({"type":"drive","curvature":0})"), IsEmpty());
+  EXPECT_THAT(setup_with(session, R"("path":null)"), HasSubstr("setup"));
+}
+
+TEST(Session, RefusesPathsAndGoesOn) {
+  Session session(options());
+  const ClientId client = session.enter();
+  EXPECT_THAT(session.receive(client, R"({"type":"follow","path":"/etc/passwd"})"),
+              HasSubstr("there is no path"));
+  EXPECT_THAT(session.receive(client, R"({"type":"follow","points":[[0,0],[2,0],[1.99,0]]})"),
+              IsEmpty());
+  EXPECT_THAT(notice(session), HasSubstr("it doubles back"));
+  const PoseFrame f = newest(session);
+  EXPECT_TRUE(f.moving);
+  EXPECT_FALSE(f.flags & PoseFrame::follows);
+  EXPECT_EQ(f.scene, 1U);
+}
+
+// Silence interrupts it; the same path again goes on from where it was, and not from its first point.
+TEST(Session, GoesOnAlongThePathOnWhichItWasInterrupted) {
+  Session session(options());
+  const ClientId client = session.enter();
+  EXPECT_THAT(session.receive(client, R"({"type":"speed","factor":10})"), IsEmpty());
+  const char* const path = R"({"type":"follow","points":[[0,0],[20,0]]})";
+  const auto far = [](double x) { return [x](const PoseFrame& f) { return f.X_WB.p.x() > x; }; };
+  EXPECT_THAT(session.receive(client, path), IsEmpty());
+  held_until(session, client, far(1.0));
+  const PoseFrame stopped = frame_when(session, [](const PoseFrame& f) {
+    return (f.flags & PoseFrame::silent) && !(f.flags & PoseFrame::follows) && !f.moving;
+  });
+  EXPECT_THAT(session.receive(client, path), IsEmpty());
+  held_until(session, client, far(stopped.X_WB.p.x() + 0.2));
+}
+
+// A robot that is in no list: from a file. After another one it comes back.
+TEST(Session, TheRobotThatItBeganWithCanBeChosen) {
+  SessionOptions own = options();
+  own.robot.name = "mine";
+  Session session(own);
+  const ClientId client = session.enter();
+  EXPECT_THAT(session.receive(client, R"({"type":"restart","robot":"quadruped"})"), IsEmpty());
+  frame_when(session, [](const PoseFrame& f) { return f.legs.size() == 4; });
+  EXPECT_THAT(session.receive(client, R"({"type":"restart","robot":"mine"})"), IsEmpty());
+  frame_when(session, [](const PoseFrame& f) { return f.scene == 3 && f.legs.size() == 6; });
+}
+
+// A second robot on the same ground, told the same, of another gait; after a reset it is gone.
+TEST(Session, RacesTwoRobots) {
+  Session session(options("boxes:5cm"));
+  const ClientId client = session.enter();
+  EXPECT_THAT(session.receive(client, R"({"type":"speed","factor":4})"), IsEmpty());
+  EXPECT_THAT(session.receive(client, R"({"type":"race","on":true,"gait":"tripod"})"), IsEmpty());
+  EXPECT_THAT(session.receive(client, R"({"type":"drive","curvature":0})"), IsEmpty());
+  EXPECT_THAT(setup_with(session, "tripod"), HasSubstr(R"("race":"tripod")"));
+  Session::Seen seen;
+  Session::Letter letter;
+  PoseFrame own, rival;
+  for (int k = 0; k < 500 && rival.path < 0.3; ++k) {
+    EXPECT_THAT(session.receive(client, R"({"type":"beat"})"), IsEmpty());
+    while (session.newer_than(seen, letter)) {
+      if (letter.kind == Session::Mail::frame) own = decode(letter.content);
+      if (letter.kind == Session::Mail::rival) rival = decode(letter.content);
+    }
+    std::this_thread::sleep_for(milliseconds(10));
+  }
+  EXPECT_GT(rival.path, 0.3);
+  EXPECT_GT(own.path, rival.path);  // over rough ground the tripod that waits is slower
+  EXPECT_EQ(rival.scene, 2U);
+  EXPECT_EQ(rival.flags & (PoseFrame::rival | PoseFrame::tripod),
+            PoseFrame::rival | PoseFrame::tripod);
+  EXPECT_EQ(own.flags & (PoseFrame::rival | PoseFrame::tripod), 0);
+  EXPECT_THAT(session.receive(client, R"({"type":"reset"})"), IsEmpty());
+  EXPECT_THAT(setup_with(session, R"("race":null)"), HasSubstr(R"("scene":3)"));
 }
 
 // Who looks once a second gets the newest frame, not sixty.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <hexagait/math/planar.hpp>
 #include <hexagait/model/kinematics.hpp>
+#include <hexagait/viewer/breakage.hpp>
 #include <hexagait/viewer/steered_walk.hpp>
 #include <hexagait/walk/referee.hpp>
 #include <hexagait/walk/trial.hpp>
@@ -10,9 +11,9 @@
 namespace hexagait::viewer {
 namespace {
 
-constexpr double kSettle = 0.3;     // time to come to rest on the feet [s]
-constexpr double kPushTime = 0.2;   // [s]
-constexpr double kPushSpeed = 1.5;  // [m/s]
+constexpr double kSettle = 0.3;      // time to come to rest on the feet [s]
+constexpr double kPushSpeed = 0.85;  // of √(g h)
+constexpr double kPushTime = 1.1;    // of √(h / g)
 
 sim3d::WorldParams world_params_at(const recording::Simulation& simulation,
                                    const PlanarPose& start) {
@@ -55,6 +56,7 @@ SteeredWalk::SteeredWalk(const RobotModel& robot, const recording::Simulation& s
               simulation.control_dt, kSettle, simulation.seed),
       plant_(broken_, robot_, simulation.plant.faults, simulation.control_dt, simulation.seed),
       walker_(robot_, recording::walker_params(simulation)),
+      falling_speed_(falling_speed(robot_)),
       frames_(robot_, simulation.control_dt),
       path_(start.X_WB) {
   settle();
@@ -74,17 +76,32 @@ void SteeredWalk::settle() {
 }
 
 void SteeredWalk::tick(const heading_control::HeadingCommand& command) {
-  const footstep_gen::TickRecord& record = walker_.tick(status_, measurement_, command);
+  heading_control::HeadingCommand told = command;
+  if (followed_path_ && followed_path_->steers()) {
+    told = followed_path_->steer(walker_, world_.truth());
+    told.speed_limit = std::min(told.speed_limit, command.speed_limit);
+  }
+  const footstep_gen::TickRecord& record = walker_.tick(status_, measurement_, told);
   plant_.write(record.targets);
   status_ = plant_.read(measurement_);
-  if (!(command.heading == followed_)) path_.follow(followed_ = command.heading);
+  if (!(told.heading == followed_)) path_.follow(followed_ = told.heading);
   observe();
+}
+
+void SteeredWalk::follow(path_following::PathTask task, const PlanarPose& X_WP) {
+  followed_path_ = std::make_unique<FollowedPath>(std::move(task), X_WP);
+}
+
+// By the path that it follows, or by the curve of its commands.
+void SteeredWalk::judge() {
+  lateral_ = path_.deviation(place()).lateral;
+  if (followed_path_) lateral_ = followed_path_->observe(walker_, world_.truth());
 }
 
 void SteeredWalk::observe() {
   const GroundTruth& truth = world_.truth();
   frames_.observe(truth, measurement_.q, world_.efforts());
-  deviation_ = path_.deviation(place());
+  judge();
   if (!fell_ && (truth.base_touches_ground || lies(truth.X_WB) || !truth.finite)) {
     fell_ = true;
     walker_.emergency_stop();
@@ -92,8 +109,10 @@ void SteeredWalk::observe() {
 }
 
 void SteeredWalk::push(double angle) {
-  const Vector2 along = kPushSpeed * robot_.mass / kPushTime * unit_vector(angle + place().angle);
-  world_.push({along.x(), along.y(), 0.0}, kPushTime);
+  const double time = kPushTime * falling_speed_ / kStandardGravity;
+  const double impulse = kPushSpeed * falling_speed_ * robot_.mass;
+  const Vector2 along = impulse / time * unit_vector(angle + place().angle);
+  world_.push({along.x(), along.y(), 0.0}, time);
 }
 
 void SteeredWalk::set_gait(const gait_state::StepperParams& stepper) {
@@ -112,7 +131,8 @@ PoseFrame SteeredWalk::frame() const {
   PoseFrame f = frames_.frame(walker_.record());
   if (fell_) f.flags |= PoseFrame::fell;
   f.flags |= gait_flags(walker_.params().stepper.stepping);
-  f.lateral = deviation_.lateral;
+  if (followed_path_ && followed_path_->steers()) f.flags |= PoseFrame::follows;
+  f.lateral = lateral_;
   return f;
 }
 

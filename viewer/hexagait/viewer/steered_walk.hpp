@@ -4,9 +4,11 @@
 
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/recording/simulation.hpp>
+#include <hexagait/viewer/followed_path.hpp>
 #include <hexagait/viewer/frame_maker.hpp>
 #include <hexagait/walk/faults.hpp>
 #include <hexagait/walk/reference_path.hpp>
+#include <memory>
 
 namespace hexagait::viewer {
 
@@ -32,12 +34,26 @@ class SteeredWalk {
   SteeredWalk(const SteeredWalk&) = delete;
   SteeredWalk& operator=(const SteeredWalk&) = delete;
 
-  /// One control period. Once the robot has fallen, or a fault has stopped it, it only lies there.
+  /// One control period. Once the robot has fallen, or a fault has stopped it, it only lies there. While
+  /// it follows a path, of the command only the speed limit counts.
   void tick(const heading_control::HeadingCommand& command);
 
-  /// Pushes the body for 0.2 s, so that a free body of the robot's mass would get 1.5 m/s.
+  /// Pushes the body for 1.1 √(h/g), so that a free body of the robot's mass would get 0.85 √(g h), with
+  /// the height h of the robot's body over its feet.
   /// @param angle  from the body's x [rad]
   void push(double angle);
+
+  /// Something breaks, from the next tick on.
+  /// @param fault  resolved(), and no load
+  void add(walk::PartFault fault) { broken_.add(std::move(fault)); }
+
+  /// From the next tick on, until it arrives, is interrupted, or leaves the path.
+  /// @param X_WP  of the path's frame in the world
+  void follow(path_following::PathTask task, const PlanarPose& X_WP);
+  void leave_path() { followed_path_ = nullptr; }
+  [[nodiscard]] FollowedPath* path() { return followed_path_.get(); }  ///< null: none
+  /// Of which a path's look-ahead is made.
+  [[nodiscard]] const StepParams& step() const { return walker_.params().step; }
 
   void set_gait(const gait_state::StepperParams& stepper);
 
@@ -61,6 +77,7 @@ class SteeredWalk {
  private:
   void settle();
   void observe();
+  void judge();
 
   RobotModel robot_;
   recording::Simulation simulation_;
@@ -71,9 +88,11 @@ class SteeredWalk {
   Measurement measurement_;
   PlantStatus status_ = PlantStatus::fresh;
 
+  double falling_speed_;  // √(g h) [m/s]
   FrameMaker frames_;
+  std::unique_ptr<FollowedPath> followed_path_;
   walk::ReferencePath path_;
-  walk::ReferencePath::Deviation deviation_;
+  double lateral_ = 0.0;  // [m]
   heading_control::Heading followed_ = heading_control::Heading::stop();
   bool fell_ = false;
 };

@@ -138,6 +138,24 @@ TEST(SteeredWalk, PushMovesTheBody) {
   EXPECT_FALSE(pushed.fell());
 }
 
+// 200 g with a push for 50 kg would be shot away.
+TEST(SteeredWalk, PushIsAsHardAsTheRobotIsLargeAndHeavy) {
+  const RobotModel mite = load_urdf(HEXAGAIT_ROBOTS "/mite.urdf");
+  recording::Simulation simulation = on("flat");
+  recording::complete(simulation, mite);
+  SteeredWalk walk(mite, simulation);
+  const PlanarPose before = walk.place();
+  walk.push(0.5 * std::numbers::pi);
+  double farthest = 0.0;
+  for (int k = 0; k < 500; ++k) {
+    walk.tick({Heading::stop(), kInfinite});
+    farthest = std::max(farthest, (walk.place().shift - before.shift).norm());
+  }
+  EXPECT_FALSE(walk.fell());
+  EXPECT_GT(farthest, 1e-4);
+  EXPECT_LT(farthest, 2.0 * mite.legs[0].workspace_radius);
+}
+
 TEST(SteeredWalk, ChangesItsGaitWhileItWalks) {
   SteeredWalk walk(argos(), on("flat"));
   run(walk, Heading::straight(0.0), 1.0);

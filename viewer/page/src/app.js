@@ -7,6 +7,7 @@
 //                                         Steering, panels, keys ──command──▶ Link
 import { chartColours, drawRing, GaitDiagram, kWindow, legAt, Strip } from "./charts.js";
 import { Countdown } from "./countdown.js";
+import { cutLegs } from "./faults.js";
 import { decodeFrame } from "./frame.js";
 import { Pad } from "./gamepad.js";
 import { Ground } from "./ground.js";
@@ -16,6 +17,7 @@ import { Panels } from "./panels.js";
 import { Player } from "./player.js";
 import { embedded, openReplay } from "./replay.js";
 import { Robot } from "./robot.js";
+import { Sketch } from "./sketch.js";
 import { Steering } from "./steering.js";
 import { Tape } from "./tape.js";
 import { Timeline } from "./timeline.js";
@@ -33,12 +35,17 @@ class App {
     this.world = new World($("world"));
     this.steering = new Steering((command) => { this.away = false; this.timeline?.toNow(); this.link.send(command); });
     this.panels = new Panels(this.link, this.steering);
+    this.steering.isOnPath = () => Boolean(this.frame?.follows);
+    this.sketch = new Sketch(this.world, (path) => this.steering.follow(path));
     this.pad = new Pad(this.steering, this.panels.acts);
     this.colours = chartColours();
     this.world.onScheme(() => { this.colours = chartColours(); this.build(); });
     this.addPointer();
     this.chosen = 0;  // the leg of which a sentence is shown
     $("ring").addEventListener("click", ({ offsetX, offsetY }) => this.choose(legAt($("ring"), this.names.length, offsetX, offsetY)));
+    this.panels.onDraw = () => this.sketch.toggle();
+    $("draw").addEventListener("click", () => this.sketch.toggle());
+    $("path").addEventListener("change", () => this.followNamed());
     this.panels.onLeg = (leg) => this.choose(leg);
     this.drawn = this.panelsDrawn = 0;
     document.body.classList.toggle("plain", this.world.software);
@@ -51,8 +58,10 @@ class App {
   /** A walk that goes on, or a replay, as the server has it. */
   listen() {
     const { link } = this, tape = new Tape(kKept);
-    link.on("scene", (scene) => { [tape.scene, tape.ground] = [scene, null]; });
+    link.on("scene", (scene) => { [tape.scene, tape.ground, tape.setup, tape.rival] = [scene, null, null, null]; });
     link.on("ground", (told) => { if (told.scene === tape.scene?.scene) tape.ground = told; });
+    link.on("setup", (setup) => { if (setup.scene === tape.scene?.scene) tape.setup = setup; });
+    link.on("rival", (bytes) => { tape.rival = bytes; });
     link.on("frame", (bytes) => { if (tape.add(bytes)) this.player.grown(); });
     link.on("error", ({ what }) => this.panels.notice(what));
     link.on("closed", () => this.panels.showState("not connected", "bad"));
@@ -87,7 +96,7 @@ class App {
     this.panels.timeline = this.timeline = new Timeline(this.player, live);
   }
 
-  show({ scene, ground, bytes }) {
+  show({ scene, ground, setup, rival, bytes }) {
     if (scene !== this.scene) {
       this.scene = scene;
       this.begun = true;
@@ -98,7 +107,20 @@ class App {
       this.told = ground;
       this.buildGround();
     }
+    if (setup !== this.setup) {
+      this.setup = setup;
+      this.showSetup();
+    }
+    this.rival = rival && decodeFrame(rival);
+    if (this.rival?.scene !== scene.scene) this.rival = null;
     this.take(decodeFrame(bytes));
+  }
+
+  showSetup() {
+    this.panels.faults.showSetup(this.setup);
+    this.overlays.showRoute(this.setup?.path ?? null);
+    this.panels.route = this.setup?.path ?? null;
+    for (const robot of [this.robot, this.ghost]) robot.lose(cutLegs(this.setup?.faults ?? [], this.names));
   }
 
   restart(entries) {
@@ -121,17 +143,22 @@ class App {
   build() {
     if (!this.scene) return;
     this.robot?.dispose();
+    this.ghost?.dispose();
     this.overlays?.dispose();
     this.robot = new Robot(this.scene, this.world.paint);
     this.overlays = new Overlays(this.scene, this.world.paint);
-    this.world.scene.add(this.robot.group, this.overlays.group);
+    this.ghost = new Robot(this.scene, this.world.paint.pale());
+    this.world.scene.add(this.robot.group, this.ghost.group, this.overlays.group);
     const names = this.scene.legs.map(({ name }) => name.slice(0, 3));
     this.names = names;
+    this.sketch.spacing = 0.8 * Math.min(...this.scene.legs.map(({ radius }) => radius));
     this.countdown = new Countdown(names.length);
     this.chosen = Math.min(this.chosen, names.length - 1);
     this.makeCharts();
     if (this.sized !== this.overlays.size) this.world.stepBack(this.sized = this.overlays.size);
     this.buildGround();
+    this.showSetup();
+    this.panels.faults.choose(this.chosen);
   }
 
   makeCharts() {
@@ -154,7 +181,7 @@ class App {
   take(frame) {
     this.frame = frame;
     if (this.player.follows) this.resume(frame);
-    if (!this.link.holds || this.begun || !this.player.follows) this.steering.follow(frame);
+    if (!this.link.holds || this.begun || !this.player.follows) this.steering.showCommand(frame);
     this.begun = false;
     this.chart(frame);
   }
@@ -169,7 +196,13 @@ class App {
     if (speed > 0.03) this.strips[3].take(frame.time, frame.power / (this.scene.mass * 9.81 * speed));
   }
 
-  choose(leg) { if (leg >= 0 && leg < (this.names?.length ?? 0)) this.chosen = leg; }
+  followNamed() {
+    const path = $("path").value;
+    $("path").selectedIndex = 0;
+    if (path && this.timeline.live) this.steering.follow({ path });
+  }
+
+  choose(leg) { if (leg >= 0 && leg < (this.names?.length ?? 0)) this.panels.faults.choose(this.chosen = leg); }
 
   /** The robot was stopped because this page was silent: after a hiccup it goes on; after long, or when the
    *  page was out of sight, only when the person steers again. */
@@ -184,11 +217,13 @@ class App {
     const pointers = new Map();
     let moved = 0;
     canvas.addEventListener("pointerdown", (event) => {
+      if (this.sketch.begin(event, this.groundHeight())) return;
       canvas.setPointerCapture(event.pointerId);
       pointers.set(event.pointerId, event);
       if (pointers.size === 1) moved = 0;
     });
     canvas.addEventListener("pointermove", (event) => {
+      if (this.sketch.go(event)) return this.overlays?.showSketch(this.sketch.line);
       const last = pointers.get(event.pointerId);
       if (!last) return;
       const dx = event.clientX - last.clientX, dy = event.clientY - last.clientY;
@@ -198,10 +233,14 @@ class App {
       pointers.set(event.pointerId, event);
     });
     canvas.addEventListener("pointerup", (event) => {
+      if (this.sketch.end(event, this.overlays)) return;
       if (pointers.size === 1 && moved < 5) this.circle(event.clientX, event.clientY);
       pointers.delete(event.pointerId);
     });
-    canvas.addEventListener("pointercancel", (event) => pointers.delete(event.pointerId));
+    canvas.addEventListener("pointercancel", (event) => {
+      this.sketch.cancel(this.overlays);
+      pointers.delete(event.pointerId);
+    });
     canvas.addEventListener("wheel", (event) => {
       event.preventDefault();
       this.world.zoom(Math.exp(0.0012 * event.deltaY));
@@ -215,10 +254,13 @@ class App {
     if (apart(event) > 1) this.world.zoom(apart(last) / apart(event));
   }
 
+  /** Of the feet, on average [m]. */
+  groundHeight() { return this.frame?.legs.reduce((sum, leg) => sum + leg.foot[2] / this.frame.legs.length, 0) ?? 0; }
+
   /** Circles the point of the ground that was clicked: as near to straight ahead as it can be done. */
   circle(x, y) {
     if (!this.frame || !this.timeline.live) return;
-    const p = this.world.groundAt(x, y, this.frame.legs.reduce((sum, leg) => sum + leg.foot[2] / this.frame.legs.length, 0));
+    const p = this.world.groundAt(x, y, this.groundHeight());
     if (!p) return;
     const heading = yaw(this.frame.q), dx = p.x - this.frame.p[0], dy = p.y - this.frame.p[1];
     const forward = Math.cos(heading) * dx + Math.sin(heading) * dy, left = Math.cos(heading) * dy - Math.sin(heading) * dx;
@@ -238,6 +280,8 @@ class App {
     if (this.timeline?.live) this.pad.poll(now);
     if (this.frame && this.robot) {
       this.robot.move(this.frame);
+      this.ghost.group.visible = Boolean(this.rival);
+      if (this.rival) this.ghost.move(this.rival);
       this.overlays.update(this.frame);
       this.world.follow(this.frame.p, this.drawn === 0 || this.leap ? 1 : 0.08);
       this.leap = false;
@@ -258,6 +302,7 @@ class App {
     if ($("countdown").textContent !== left) $("countdown").textContent = left;
     for (const strip of this.strips) strip.draw(this.colours);
     this.panels.showFrame(frame, this.world);
+    this.panels.showRace(frame, this.rival, this.setup?.race);
     this.timeline.show(frame);
   }
 }
@@ -268,6 +313,9 @@ try {
   window.hexagait = {
     frame: () => app.frame,
     scene: () => app.scene,
+    setup: () => app.setup,
+    rival: () => app.rival,
+    cut: () => app.robot.lost,
     feet: () => { app.robot.move(app.frame); return { frame: app.frame, drawn: app.robot.footPositions() }; },
     you: () => app.link.you,
     player: () => app.player && {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The gait diagram, the ring of relations, and strips of numbers over time.
-import { has, ring } from "./frame.js";
+import { has, isLost, ring } from "./frame.js";
 
 export const kWindow = 8;  // shown [s]
 
@@ -105,11 +105,11 @@ export function legAt(canvas, n, x, y) {
 /** The ring: legs as discs, an arrowhead on each edge towards the leg that steps first. */
 export function drawRing(canvas, frame, names, colours, chosen) {
   const { context: c, width, height } = begin(canvas);
-  const n = names.length, order = ring(n), place = (leg) => placeInRing(leg, n, width, height);
+  const n = names.length, order = ring(frame), edges = order.length, place = (leg) => placeInRing(leg, n, width, height);
   c.lineWidth = 1.5;
-  for (let k = 0; k < n; ++k) {
+  for (let k = 0; k < edges; ++k) {
     const lower = (frame.state >> k) & 1;  // set: `<`, the next one steps first
-    const from = place(order[lower ? k : (k + 1) % n]), to = place(order[lower ? (k + 1) % n : k]);
+    const from = place(order[lower ? k : (k + 1) % edges]), to = place(order[lower ? (k + 1) % edges : k]);
     const length = Math.hypot(to[0] - from[0], to[1] - from[1]), ux = (to[0] - from[0]) / length, uy = (to[1] - from[1]) / length;
     c.strokeStyle = c.fillStyle = colours.faint;
     c.beginPath();
@@ -126,14 +126,20 @@ export function drawRing(canvas, frame, names, colours, chosen) {
   c.textBaseline = "middle";
   c.font = "600 9.5px system-ui, sans-serif";
   for (let leg = 0; leg < n; ++leg) {
-    const [x, y] = place(leg), stands = has(frame.contact, leg);
+    const [x, y] = place(leg), lost = isLost(frame, leg), stands = !lost && has(frame.contact, leg);
     c.beginPath();
     c.arc(x, y, 10, 0, 2 * Math.PI);
     c.fillStyle = stands ? colours.support : colours.field;
     c.fill();
     c.lineWidth = has(frame.priority, leg) ? 3 : 1.5;
-    c.strokeStyle = has(frame.priority, leg) ? colours.swing : stands ? colours.support : colours.swing;
+    c.strokeStyle = lost ? colours.line : has(frame.priority, leg) ? colours.swing : stands ? colours.support : colours.swing;
     c.stroke();
+    if (lost) {
+      c.beginPath();
+      c.moveTo(x - 8, y + 8);
+      c.lineTo(x + 8, y - 8);
+      c.stroke();
+    }
     if (leg === chosen) {
       c.beginPath();
       c.arc(x, y, 12.5, 0, 2 * Math.PI);

@@ -3,7 +3,7 @@
 //
 // How long it takes until the legs step in alternating groups, the tripod gait of six legs. With CCN = n/2, equal
 // step times, and legs that step as soon as they may, it is less than n/2 step times: docs/theory.md, Convergence.
-import { has } from "./frame.js";
+import { has, isLost } from "./frame.js";
 
 /** The relations around the ring alternate: < > < > …. */
 const alternates = (state, n) => {
@@ -37,7 +37,7 @@ export class Countdown {
   /** @returns a sentence; empty where the theorem has nothing to say */
   words(frame) {
     const most = this.n / 2;
-    if (frame.wave || frame.tripod || this.n % 2 || this.begun === null) return "";
+    if (frame.wave || frame.tripod || frame.legs.some((_, leg) => isLost(frame, leg)) || this.n % 2 || this.begun === null) return "";
     if (this.taken !== null && this.taken >= most) return `Alternating after ${this.taken.toFixed(1)} step times`;
     if (this.taken !== null) return `Alternating after ${this.taken.toFixed(1)} < ${most} step times`;
     if (!frame.moving) return "";

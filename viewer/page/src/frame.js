@@ -4,9 +4,9 @@
 // Reads a pose frame: the bytes of hexagait/viewer/pose_frame.hpp.
 
 export const kVersion = 2;
-export const kPhases = ["support", "unload", "lift", "transfer", "descend", "retreat", "follow", "search", "hold"];
+export const kPhases = ["support", "unload", "lift", "transfer", "descend", "retreat", "follow", "search", "hold", "lost"];
 export const kFaults = ["", "not started", "bad measurement", "plant late", "plant closed", "emergency stop", "bad command"];
-const kFlags = { paused: 1, fell: 2, silent: 4, wave: 8, tripod: 16, holding: 32 };
+const kFlags = { paused: 1, fell: 2, silent: 4, wave: 8, tripod: 16, holding: 32, follows: 64, rival: 128 };
 const kTypes = ["–", "A", "B", "C", "D"];
 
 class Reader {
@@ -55,7 +55,11 @@ export function decodeFrame(bytes) {
 
 export const has = (set, leg) => ((set >> leg) & 1) === 1;
 
-/** The legs around the ring, clockwise from the left front one: (gait 1). */
-export function ring(n) {
-  return Array.from({ length: n }, (_, k) => (k === 0 ? 0 : 2 * k <= n ? 2 * k - 1 : 2 * (n - k)));
+/** Does the robot do without this leg? */
+export const isLost = (frame, leg) => kPhases[frame.legs[leg].phase] === "lost";
+
+/** The legs around the ring, clockwise from the left front one: (gait 1); it closes over lost ones. */
+export function ring(frame) {
+  const n = frame.legs.length;
+  return Array.from({ length: n }, (_, k) => (k === 0 ? 0 : 2 * k <= n ? 2 * k - 1 : 2 * (n - k))).filter((leg) => !isLost(frame, leg));
 }

@@ -9,7 +9,7 @@ import {
 } from "three";
 import { has } from "./frame.js";
 
-const kPrints = 120, kTrace = 90, kArcSteps = 40;
+const kMostRoute = 1100, kPrints = 120, kTrace = 90, kArcSteps = 40;
 const kFarCentre = 60;  // a turning centre beyond this is drawn as straight lines [m]
 
 /** A flat band of some width through points in the plane; rebuilt in place. */
@@ -66,6 +66,8 @@ export class Overlays {
     this.size = Math.max(...scene.legs.map(({ centre: [x, y] }) => Math.hypot(x, y)));
     const n = this.legs.length, unit = this.size;
 
+    this.routes = ["route", "sketch"].map((kind) => this.band(kMostRoute, paint.overlay(kind === "route" ? "path" : "target", 0.9), 4));
+    for (const { mesh } of this.routes) mesh.visible = false;
     this.path = this.band(kArcSteps, paint.overlay("path", 0.55), 2);
     this.arcs = this.legs.map(() => this.band(kArcSteps, paint.overlay("path", 0.4), 2));
     this.polygonFill = this.flat(new BufferGeometry(), paint.overlay("polygon", 0.16), 3);
@@ -119,7 +121,18 @@ export class Overlays {
     this.showFeet(frame, ground);
   }
 
+  /** The path on the ground that the robot is told to follow; null: none. @param route  as the server has told it */
+  showRoute(route) { this.line(this.routes[0], route?.points ?? [], 0.03); }
+  /** What is being drawn. @param points  [x, y] each [m] */
+  showSketch(points) { this.line(this.routes[1], points, 0.02); }
+
+  line(band, points, width) {
+    band.mesh.visible = points.length > 1;
+    if (band.mesh.visible) band.set(points.slice(-kMostRoute).map(([x, y]) => [x, y, 0]), width * this.size);
+  }
+
   showPath(frame, z) {
+    for (const { mesh } of this.routes) mesh.position.z = z;
     const arc = (p, length) => Array.from({ length: kArcSteps }, (_, k) => [...along(frame, p, (length * k) / (kArcSteps - 1)), z]);
     const shown = frame.moving;
     const taper = (width) => (t) => width * (1 - 0.75 * t);

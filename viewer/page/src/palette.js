@@ -43,6 +43,13 @@ export class Paint {
     return this.solids[name];
   }
 
+  /** The same for a second robot: paler, and seen through. */
+  pale() {
+    const made = {};
+    const solid = (name) => (made[name] ??= Object.assign(this.solid(name).clone(), { opacity: 0.38, depthWrite: false }));
+    return { solid, colour: (name) => this.colour(name) };
+  }
+
   ground() { return new MeshLambertMaterial({ vertexColors: true }); }
 
   /** For what is drawn over everything: it is never hidden by the robot or the ground. */

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Buttons, choices, keys, and the words about what is going on.
+import { Faults } from "./faults.js";
 import { kFaults } from "./frame.js";
 
 const $ = (id) => document.getElementById(id);
@@ -26,14 +27,17 @@ export class Panels {
       "spin-left": () => steering.spin("ccw"), "spin-right": () => steering.spin("cw"),
       "gait-free": () => this.gait("free"), "gait-tripod": () => this.gait("tripod"), "gait-wave": () => this.gait("wave"),
       "hide-hints": () => $("hints").classList.add("away"),
+      race: () => this.race(),
       more: () => $("more").setAttribute("aria-expanded", document.body.classList.toggle("more")),
     };
     for (const [id, act] of Object.entries(acts)) $(id).addEventListener("click", act);
     this.acts = acts;
+    this.faults = new Faults((command) => this.link.send(command), (leg) => this.onLeg?.(leg));
     $("robot").addEventListener("change", () => this.link.send({ type: "restart", robot: $("robot").value }));
     $("terrain").addEventListener("change", () => this.restart());
     $("roughness").addEventListener("change", () => this.restart());
     $("roughness").addEventListener("input", () => this.showRoughness());
+    $("race-gait").addEventListener("change", () => { if (this.races) this.race(true); });
     $("duty").addEventListener("input", () => {
       $("duty-out").textContent = Number($("duty").value).toFixed(2);
       if (this.frame?.wave) this.gait("wave");
@@ -42,6 +46,19 @@ export class Panels {
   }
 
   gait(kind) { this.link.send({ type: "gait", gait: kind === "wave" ? `wave:${$("duty").value}` : kind }); }
+
+  race(on = !this.races) { this.link.send(on ? { type: "race", on, gait: $("race-gait").value } : { type: "race", on }); }
+
+  /** How far both have come. @param rival  frame of the second robot; null: there is no race  @param gait  of it */
+  showRace(frame, rival, gait) {
+    this.races = Boolean(gait);
+    if ($("race").getAttribute("aria-pressed") !== String(this.races)) $("race").setAttribute("aria-pressed", String(this.races));
+    const own = frame.tripod ? "tripod" : frame.wave ? "wave" : "free", ahead = rival ? frame.path - rival.path : 0;
+    const far = (f) => `${f.path.toFixed(2)} m${f.fell ? ", fell" : ""}`;
+    const words = rival ? `${own} ${far(frame)} · ${gait}, pale: ${far(rival)} · ${ahead < 0 ? "behind" : "ahead"} by ${Math.abs(ahead).toFixed(2)} m` : "";
+    if ($("race-facts").hidden !== !rival) $("race-facts").hidden = !rival;
+    if ($("race-facts").textContent !== words) $("race-facts").textContent = words;
+  }
 
   restart() {
     const terrain = $("terrain").value, whole = terrain === "flat" || terrain.includes(":");
@@ -62,7 +79,8 @@ export class Panels {
     const ofWalk = timeline?.live ? {
       w: () => s.set(s.curvature, 0), s: () => s.set(s.curvature, 180), a: () => s.bend(1), d: () => s.bend(-1),
       q: () => s.turn(1), e: () => s.turn(-1), x: this.acts.stop, p: this.acts.push, r: this.acts.scramble,
-      Backspace: this.acts.reset, ArrowUp: () => s.go(),
+      c: this.faults.acts.cut, k: this.faults.acts.dead, b: this.faults.acts.break, m: this.faults.acts.mend,
+      g: this.acts.race, n: () => this.faults.otherPlant(), Backspace: this.acts.reset, ArrowUp: () => s.go(), f: () => this.onDraw?.(),
     } : {};
     const act = { ...ofTime, ...ofWalk }[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (!act) return;
@@ -76,6 +94,7 @@ export class Panels {
       if (!entries.includes(chosen)) select.prepend(new Option(chosen, chosen, true, true));
     };
     options($("robot"), scene.robots, scene.robot);
+    $("path").replaceChildren(new Option("Follow …", ""), ...(scene.paths ?? []).map((name) => new Option(name, name)));
     // Kinds that are given by their height have a slider; of the others, an example.
     const kinds = scene.terrains.map(({ example, height }) => (height ? example.split(":")[0] : example));
     const simple = /^([a-z]+):([^,+]+)$/.exec(scene.terrain);
@@ -84,6 +103,7 @@ export class Panels {
     if (sized) $("roughness").value = 100 * Number(simple[2]);
     $("roughness-label").hidden = !sized;
     this.showRoughness();
+    this.faults.showScene(scene);
     const legs = scene.legs.length, joints = scene.legs[0].joints.length;
     const where = this.timeline?.live ? "" : `${scene.robot} on ${scene.terrain}: `;
     $("facts").textContent = `${where}${legs} legs × ${joints} joints, ${scene.mass.toFixed(1)} kg, seed ${scene.seed}`;
@@ -125,10 +145,18 @@ export class Panels {
     $("gait-words").textContent = `CCN ${frame.ccn}${kTypeWords[frame.type] ? " · " + kTypeWords[frame.type] : ""}`;
     const spin = frame.rho < 1e-6;
     const where = spin ? "turns on the spot" : `radius ${Math.abs(frame.k) < 1e-4 ? "∞" : (frame.rho / frame.k).toFixed(2) + " m"}, crab ${((frame.crab * 180) / Math.PI).toFixed(0)}°`;
-    $("heading").textContent = where;
+    $("heading").textContent = this.onRoute(frame) ?? where;
     $("twist").textContent = `vx ${hundredths(frame.vx)}  vy ${hundredths(frame.vy)} m/s  ωz ${hundredths(frame.wz)} rad/s`;
     const text = `${frame.time.toFixed(1)} s, ${frame.path.toFixed(2)} m, ${frame.factor.toFixed(2)} × real time, ${world.fps.toFixed(0)} fps`;
     if (this.shownFacts !== text) $("world").title = this.shownFacts = text;
+  }
+
+  /** Where it is on the path that it follows, or has followed; null if there is none. */
+  onRoute(frame) {
+    if (!this.route) return null;
+    const off = `${Math.abs(100 * frame.lateral).toFixed(1)} cm ${frame.lateral > 0 ? "left of" : "right of"} its path`;
+    if (frame.follows) return off;
+    return frame.silent ? "interrupted on its path" : `at the end, ${off}`;
   }
 
   notice(words) {

@@ -42,8 +42,9 @@ export async function openReplay(bytes) {
     if (kind === "F") for (const frame of frames(content, last)) tape.add(frame);
     if (kind !== "T") continue;
     const message = JSON.parse(utf8.decode(content));
-    if (message.type === "scene") [tape.scene, tape.ground] = [message, null];
+    if (message.type === "scene") [tape.scene, tape.ground, tape.setup] = [message, null, null];
     if (message.type === "ground") tape.ground = message;
+    if (message.type === "setup") tape.setup = message;
   }
   if (tape.entries.length === 0) throw new Error("nothing moves in this replay");
   return tape;

@@ -112,6 +112,12 @@ export class Robot {
     this.feet.forEach((foot, i) => foot.material.color.copy(this.paint.colour(this.state(frame, i))));
   }
 
+  /** These legs are not there any more. */
+  lose(legs) {
+    this.lost = legs;
+    for (const { part, leg } of this.moved) part.visible = !legs.includes(leg);
+  }
+
   state(frame, i) {
     if (!has(frame.contact, i)) return "swing";
     return has(frame.urgent, i) ? "urgent" : "support";

@@ -109,6 +109,7 @@ export class Steering {
       this.limit = most ? {} : { limit: Number(slider.value) };
       document.getElementById("limit-out").textContent = most ? "none" : `${Number(slider.value).toFixed(2)} m/s`;
       if (this.last?.type === "spin") this.spin(this.last.turn);
+      else if (this.last?.type === "follow" && this.isOnPath?.()) this.command({ ...this.last, limit: undefined, ...this.limit });
       else if (this.last?.type !== "stop") this.go();
     });
   }
@@ -128,13 +129,15 @@ export class Steering {
   stop() { this.command({ type: "stop" }); }
   spin(turn) { this.command({ type: "spin", turn, ...this.limit }); }
 
+  follow(path) { this.command({ type: "follow", ...path, ...this.limit }); }
+
   command(command) {
     this.last = command;
     this.drive(command);
   }
 
   /** Shows what the robot is told, while another steers, or nobody. */
-  follow(frame) {
+  showCommand(frame) {
     const curvature = frame.rho > 1e-6 ? frame.k / frame.rho : Math.sign(frame.k) * kMostCurvature;
     const crab = (frame.crab * 180) / Math.PI;
     if (Math.abs(curvature - this.curvature) < 1e-5 && Math.abs(wrapped(crab - this.crab)) < 0.01) return;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Why a leg steps or does not, in a sentence: what the gait state of a frame says about it.
-import { has, kPhases, ring } from "./frame.js";
+import { has, isLost, kPhases, ring } from "./frame.js";
 
 const kAir = {
   unload: "hands its load over before it lifts", lift: "lifts", transfer: "is on its way to its next foothold",
@@ -12,7 +12,7 @@ const kAir = {
 
 /** The neighbours of a leg, and whether each steps before it. */
 function neighbours(frame, leg) {
-  const order = ring(frame.legs.length), n = order.length, k = order.indexOf(leg), before = (k + n - 1) % n;
+  const order = ring(frame), n = order.length, k = order.indexOf(leg), before = (k + n - 1) % n;
   return [
     { leg: order[before], first: ((frame.state >> before) & 1) === 0 },  // `before > leg`
     { leg: order[(k + 1) % n], first: ((frame.state >> k) & 1) === 1 },  // `leg < after`
@@ -22,6 +22,7 @@ function neighbours(frame, leg) {
 /** @param names  of all legs  @returns a sentence about one of them */
 export function why(frame, leg, names) {
   const { phase, lag } = frame.legs[leg], name = names[leg];
+  if (isLost(frame, leg)) return `${name} is lost: the robot does without it. The ring has closed over it: the legs beside it are neighbours now.`;
   const both = neighbours(frame, leg), list = (legs) => legs.map(({ leg: i }) => names[i]).join(" and ");
   const is = (legs) => `${list(legs)} ${legs.length > 1 ? "are" : "is"}`;
   if (kPhases[phase] !== "support") return `${name} ${kAir[kPhases[phase]]}.`;

@@ -5,7 +5,7 @@ import { test } from "node:test";
 import { Countdown } from "./countdown.js";
 
 const kAll = 0b111111;
-const frame = (time, up, state) => ({ time, support: kAll & ~up, state, moving: true, wave: false, tripod: false });
+const frame = (time, up, state) => ({ time, support: kAll & ~up, state, moving: true, wave: false, tripod: false, legs: Array(6).fill({ phase: 0 }) });
 
 // RF steps for 0.5 s, then RR and LM; the relations alternate at 0.75 s, which are 1.5 step times.
 test("the bound counts down in step times, from the first lift on", () => {

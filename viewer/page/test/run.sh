@@ -12,7 +12,7 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 program=$(realpath "$1")
 out=$(realpath -m "${2:-out/steer}")
 mkdir -p "$out" build/page-test
-cp "$here"/*.mjs "$here"/package*.json "$here"/.npmrc "$here"/../src/{countdown,frame,player,replay,tape,why}.js build/page-test
+cp "$here"/*.mjs "$here"/package*.json "$here"/.npmrc "$here"/../src/{countdown,frame,path,player,replay,tape,why}.js build/page-test
 cd build/page-test
 [[ node_modules/.package-lock.json -nt package-lock.json && -d node_modules/playwright-core ]] ||
   npm ci --ignore-scripts --no-audit --no-fund --loglevel=error

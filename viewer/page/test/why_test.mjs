@@ -31,3 +31,9 @@ test("a leg that is held back, one that is urgent, and a robot that stands", () 
   assert.match(why(frame({ urgent: bits(1) }), 1, names), /near the end of its reach/);
   assert.match(why(frame({ moving: false }), 1, names), /^RF stands, as the robot does/);
 });
+test("a leg that is lost is said to be, and its neighbours are side by side", () => {
+  const lost = frame().legs.map((leg, i) => (i === 1 ? { ...leg, phase: 9 } : leg));
+  assert.match(why(frame({ legs: lost }), 1, names), /^RF is lost/);
+  // LF RM RR LR LM are left: LF < RM and LM < LF, so that LF waits for RM, and LM for LF.
+  assert.match(why(frame({ legs: lost, state: 0b10001 }), 0, names), /^LF waits for RM, which lags more/);
+});

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <hexagait/params/params_for.hpp>
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/text/nearest_word.hpp>
 #include <hexagait/text/quantity.hpp>
@@ -151,6 +152,30 @@ const std::vector<std::string>& part_fault_names() {
     return names;
   }();
   return all;
+}
+
+std::string example_values(PartFaultKind kind, const RobotModel& robot) {
+  switch (kind) {
+    case Kind::weak:
+      return "50%";
+    case Kind::contact_late:
+      return "50ms";
+    case Kind::contact_noise:
+      return "10%";
+    case Kind::noise:
+      return "5mrad";
+    case Kind::bias:
+      return "2deg";
+    case Kind::load:
+      return fmt::format("{:.2g}kg:0:0", 0.3 * robot.mass);
+    case Kind::push: {
+      const RobotScale scale = scale_of(robot);
+      const double speed = 0.25 * std::sqrt(scale.gravity * scale.hip_height);
+      return fmt::format("{:.2g}Ns:90deg", speed * robot.mass);
+    }
+    default:
+      return "";
+  }
 }
 
 PartFault parse_part_fault(std::string_view text) {

@@ -38,18 +38,16 @@ RobotModel with_loads(RobotModel robot, std::span<const PartFault> faults) {
 
 PartFaultPlant::PartFaultPlant(Plant& plant, std::vector<PartFault> faults, BodyAccess body,
                                double control_dt, double lead, std::uint64_t seed)
-    : plant_(&plant),
-      faults_(std::move(faults)),
-      body_(std::move(body)),
-      dt_(control_dt),
-      lead_(lead),
-      seed_(seed),
-      suffered_(faults_.size(), false) {
-  for (const PartFault& fault : faults_) {
-    const bool late = fault.kind == Kind::contact_late;
-    const double periods = late ? std::round(fault.value / dt_) : 0.0;
-    contacts_.emplace_back(static_cast<std::size_t>(periods) + 1);
-  }
+    : plant_(&plant), body_(std::move(body)), dt_(control_dt), lead_(lead), seed_(seed) {
+  for (PartFault& fault : faults) add(std::move(fault));
+}
+
+void PartFaultPlant::add(PartFault fault) {
+  const bool late = fault.kind == Kind::contact_late;
+  const double periods = late ? std::round(fault.value / dt_) : 0.0;
+  contacts_.emplace_back(static_cast<std::size_t>(periods) + 1);
+  suffered_.push_back(false);
+  faults_.push_back(std::move(fault));
 }
 
 // Half a period early: times of the walk are rounded to periods.

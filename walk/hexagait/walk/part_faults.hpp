@@ -62,6 +62,11 @@ struct PartFaultWords {
 /// The words before the first colon of all kinds.
 [[nodiscard]] const std::vector<std::string>& part_fault_names();
 
+/// What may be written behind the part in a fault of this kind, for a try: "50%", "50ms". A load is 0.3
+/// of this robot's mass, a push of what gives it √(g h)/4, with the height h of its body. Empty where
+/// there is nothing to write.
+[[nodiscard]] std::string example_values(PartFaultKind kind, const RobotModel& robot);
+
 /// Reads one fault.
 /// @throws InvalidInput  naming what is wrong in the text and what would be right
 [[nodiscard]] PartFault parse_part_fault(std::string_view text);
@@ -100,6 +105,11 @@ class PartFaultPlant final : public Plant {
 
   PlantStatus read(Measurement& measurement) override;
   void write(const JointTargets& targets) override;
+
+  /// One more fault, from the next read() or write() on, as if it had been there when this was made; but
+  /// not a load, which is the body's from the beginning. Allocates.
+  /// @param fault  resolved()
+  void add(PartFault fault);
 
  private:
   [[nodiscard]] double time() const { return static_cast<double>(periods_) * dt_ - lead_; }

@@ -162,6 +162,28 @@ TEST(PartFaults, ALoadMovesTheBodysCentreOfMass) {
   EXPECT_GT(loaded.base.inertia_M_L(0, 0), argos().base.inertia_M_L(0, 0));
 }
 
+// Of two that begin at once, and of one that comes later: from the next reading on.
+TEST(PartFaults, CanBeAddedWhileItWalks) {
+  KnownPlant known;
+  PartFaultPlant plant(known, {}, {}, kDt, kLead, 1);
+  const LegArray<LegJoints> none(6, LegJoints::Zero());
+  Measurement sensed;
+  for (int k = 0; k < 200; ++k) {
+    plant.read(sensed);
+    EXPECT_EQ(sensed.contact[kRM], known.periods % 2 == 1);
+    plant.write({none, none, none, {}});
+  }
+  plant.add(faults({"contact_on:RM"})[0]);
+  plant.add(faults({"dead:LF"})[0]);
+  for (int k = 0; k < 4; ++k) {
+    plant.read(sensed);
+    EXPECT_TRUE(sensed.contact[kRM]);
+    plant.write({none, none, none, {}});
+    EXPECT_EQ(known.written.mode[kLF], ControlMode::effort);
+    EXPECT_EQ(known.written.mode[kRM], ControlMode::position);
+  }
+}
+
 TEST(PartFaults, NameWhatIsWrongAndWhatWouldBeRight) {
   EXPECT_THAT(refusal("ded:LF"), HasSubstr("did you mean 'dead'?"));
   EXPECT_THAT(refusal("dead"), HasSubstr("it must be dead:LEG"));

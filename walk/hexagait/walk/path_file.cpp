@@ -99,6 +99,12 @@ FacingRule read_facing(YamlReader& yaml, const YamlFields& fields, FacingRule ot
   }
 }
 
+// Where a robot faces if nobody says otherwise.
+FacingRule usual_facing(const RobotModel& robot, bool points_face) {
+  if (robot.legs[0].has_two_joints()) return {Facing::car, 0.0};
+  return {points_face ? Facing::points : Facing::along, 0.0};
+}
+
 }  // namespace
 
 FacingRule parse_facing(const std::string& text) {
@@ -129,6 +135,11 @@ std::string to_string(const FacingRule& facing) {
   return "";
 }
 
+PathTask task_of(path_following::Path path, const RobotModel& robot, const StepParams& step) {
+  const FacingRule facing = usual_facing(robot, path.has_facing());
+  return {std::move(path), facing, 1, path_following::look_ahead_for(step)};
+}
+
 PathTask load_path(const std::string& file, const RobotModel& robot, const StepParams& step) {
   Violations violations(file);
   const YamlTree tree =
@@ -149,9 +160,7 @@ PathTask load_path(const std::string& file, const RobotModel& robot, const StepP
 
   const auto has_facing = [](const Waypoint& point) { return point.facing.has_value(); };
   const bool faces = std::ranges::any_of(points.waypoints, has_facing);
-  const bool two_joints = robot.legs[0].has_two_joints();
-  const FacingRule usual = {two_joints ? Facing::car : faces ? Facing::points : Facing::along, 0.0};
-  const FacingRule facing = read_facing(yaml, fields, usual);
+  const FacingRule facing = read_facing(yaml, fields, usual_facing(robot, faces));
   // What is wrong already says more than what follows from it.
   violations.throw_if_any();
 
@@ -161,8 +170,9 @@ PathTask load_path(const std::string& file, const RobotModel& robot, const StepP
        faults_of(points.waypoints, shape, closed, step.stroke))
     yaml.refuse(points.marks.empty() ? root.mark : points.marks[fault.waypoint], fault.problem);
   violations.throw_if_any();
-  return {path_following::Path(points.waypoints, shape, closed), facing, 1,
-          path_following::look_ahead_for(step)};
+  PathTask task = task_of({points.waypoints, shape, closed}, robot, step);
+  task.facing = facing;
+  return task;
 }
 
 }  // namespace hexagait::walk

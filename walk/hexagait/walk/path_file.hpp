@@ -26,6 +26,11 @@ namespace hexagait::walk {
 [[nodiscard]] path_following::PathTask load_path(const std::string& file, const RobotModel& robot,
                                                  const StepParams& step);
 
+/// The same of a path that there is already, and that is none from a file.
+/// @pre path_following::faults_of() finds none in it
+[[nodiscard]] path_following::PathTask task_of(path_following::Path path, const RobotModel& robot,
+                                               const StepParams& step);
+
 /// Reads where to face: along, keep, car, points or an angle from x of the path's frame.
 /// @throws InvalidInput
 [[nodiscard]] path_following::FacingRule parse_facing(const std::string& text);

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { frameOf, openPage, startBrowser, startServer, until } from "./browser.mjs";
+
+// Two robots on the same ground.
+let browser, server, page;
+
+before(async () => {
+  browser = await startBrowser();
+  server = await startServer("--port", "0", "--terrain", "boxes:6cm");
+  page = await openPage(browser, server.url);
+});
+after(async () => {
+  await browser?.close();
+  await server?.stop();
+});
+
+const rival = () => page.evaluate(() => window.hexagait.rival());
+async function untilRival(condition) {
+  for (const end = Date.now() + 15000; Date.now() < end; await page.waitForTimeout(30)) if (condition(await rival())) return;
+  throw new Error(`not within 15 s: ${condition}`);
+}
+
+test("G begins a race: a second robot of another gait walks as it is told, and both distances are shown", async () => {
+  await page.locator("#world").focus();
+  await page.keyboard.press("g");
+  await untilRival((f) => f?.tripod && f.path > 0);
+  await page.locator("#race[aria-pressed=true]").waitFor();
+  await page.locator("#go").click();
+  await untilRival((f) => f.path > 0.4);
+  assert.match(await page.locator("#race-facts").textContent(), /^free \d+\.\d\d m · tripod, pale: \d+\.\d\d m · (ahead|behind) by/);
+  const own = await frameOf(page);
+  assert.ok(!own.tripod && own.path > (await rival()).path);
+  await page.screenshot({ path: `${process.env.OUT}/race.png` });
+});
+
+test("the gait of the second robot changes, and it goes as it came", async () => {
+  await page.locator("#race-gait").selectOption("clocked");
+  await page.waitForFunction(() => window.hexagait.setup()?.race === "clocked");
+  await page.locator("#race").click();
+  await until(page, (f) => f.path >= 0);
+  await page.waitForFunction(() => window.hexagait.setup()?.race === null && !window.hexagait.rival());
+  await page.locator("#race-facts").waitFor({ state: "hidden" });
+  assert.deepEqual(page.problems, []);
+});
