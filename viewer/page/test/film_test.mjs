@@ -19,13 +19,14 @@ async function waitUntil(page, time) {
     if (frame.time >= time) return frame;
 }
 
-/** So slow that this machine can take a picture as often as it is due. */
-async function slowDown(page) {
+const go = (page, factor) => page.evaluate((f) => window.hexagait.send({ type: "speed", factor: f }), factor);
+
+/** How slow the walk must be for this machine to take a picture as often as it is due. */
+async function factorFor(page) {
   const begin = Date.now(), kShots = 3;
   for (let k = 0; k < kShots; ++k) await page.screenshot();
   const shot = (Date.now() - begin) / 1000 / kShots;
-  const factor = Math.min(1, Math.max(0.05, kEvery / (2 * shot)));
-  await page.evaluate((f) => window.hexagait.send({ type: "speed", factor: f }), factor);
+  return Math.min(1, Math.max(0.05, kEvery / (2 * shot)));
 }
 
 async function film(page) {
@@ -46,7 +47,10 @@ test("a film of the page, of a robot that is steered over rough ground", async (
     const page = await openPage(browser, server.url, kSize);
     await page.evaluate(() => window.hexagait.quality(1));
     await page.evaluate(() => window.hexagait.camera({ azimuth: -2.65, elevation: 0.55, distance: 3.1 }));
-    await slowDown(page);
+    const factor = await factorFor(page);
+    await go(page, 1);
+    await waitUntil(page, kBegin - 1);
+    await go(page, factor);
     await waitUntil(page, kBegin - kEvery);
     await page.evaluate(() => window.hexagait.camera({ still: true }));
     const shots = await film(page);
