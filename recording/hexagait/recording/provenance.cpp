@@ -79,7 +79,7 @@ Parameters parameters(const VirtualModelParams& params) {
 
 Parameters parameters(const footstep_gen::WalkerParams& params) {
   const auto& [control_dt, sensors, gait, stepper, step, executor, tolerance, late_limit,
-               finds_faults] = params;
+               finds_faults, resolves_deadlocks] = params;
   const auto& [swing, base, gravity, controller, virtual_model] = executor;
   RobotParams robot;
   robot.step = step;
@@ -88,6 +88,7 @@ Parameters parameters(const footstep_gen::WalkerParams& params) {
   robot.tolerance = tolerance;
   Parameters all = {{"late_limit_s", late_limit},
                     {"finds_faults", finds_faults ? 1.0 : 0.0},
+                    {"resolves_deadlocks", resolves_deadlocks ? 1.0 : 0.0},
                     {"gravity_m_s2", gravity},
                     {"whole_body_controller", static_cast<double>(controller)},
                     {"step.roughness_gain", step.roughness_gain},

@@ -1,26 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 import assert from "node:assert/strict";
-import { after, before, describe, test } from "node:test";
-import { frameOf, openPage, startBrowser, startServer, until } from "./browser.mjs";
+import { before, describe, test } from "node:test";
+import { frameOf, press, until, withPage } from "./browser.mjs";
 
-let browser, server, page;
+let page;
 const shot = (of, name) => of.screenshot({ path: `${process.env.OUT}/${name}.png` });
 
-before(async () => {
-  browser = await startBrowser();
-  server = await startServer("--port", "0", "--terrain", "boxes:4cm");
-  page = await openPage(browser, server.url);
-});
-after(async () => {
-  await browser?.close();
-  await server?.stop();
-});
+withPage(["--terrain", "boxes:4cm"], (parts) => ({ page } = parts));
 
-async function key(name) {
-  await page.locator("#world").focus();
-  await page.keyboard.press(name);
-}
+const key = (name) => press(page, name);
 async function reset() {
   const { scene } = await frameOf(page);
   await key("Backspace");

@@ -4,6 +4,7 @@
 // Servers of hexagait, and pages in Chromium.
 import { spawn } from "node:child_process";
 import { once } from "node:events";
+import { after, before } from "node:test";
 import { chromium } from "playwright-core";
 
 export const startServer = (...options) => serve("steer", ...options);
@@ -43,6 +44,26 @@ export async function openPage(browser, url, options = {}) {
   await page.waitForFunction(() => window.hexagait?.view().drawn > 0, null, { timeout: 15000 });
   page.drawnAfter = Date.now() - begin;
   return page;
+}
+
+/** A browser, a server and a page for the tests of a file: given to `take` before them, and closed after them. */
+export function withPage(options, take) {
+  let browser, server;
+  before(async () => {
+    browser = await startBrowser();
+    server = await startServer("--port", "0", ...options);
+    take({ browser, server, page: await openPage(browser, server.url) });
+  });
+  after(async () => {
+    await browser?.close();
+    await server?.stop();
+  });
+}
+
+/** Presses a key on the world. */
+export async function press(page, name) {
+  await page.locator("#world").focus();
+  await page.keyboard.press(name);
 }
 
 /** The newest frame; after a new scene there is none for a moment. */

@@ -1,27 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { frameOf, openPage, startBrowser, startServer, until } from "./browser.mjs";
+import { test } from "node:test";
+import { frameOf, press, until, withPage } from "./browser.mjs";
 
 // What breaks while it walks, on flat ground.
-let browser, server, page;
+let page;
 const kLost = 9;  // in place of a phase
 
-before(async () => {
-  browser = await startBrowser();
-  server = await startServer("--port", "0", "--terrain", "flat");
-  page = await openPage(browser, server.url);
-});
-after(async () => {
-  await browser?.close();
-  await server?.stop();
-});
+withPage(["--terrain", "flat"], (parts) => ({ page } = parts));
 
-async function key(name) {
-  await page.locator("#world").focus();
-  await page.keyboard.press(name);
-}
+const key = (name) => press(page, name);
 const faults = async () => (await page.evaluate(() => window.hexagait.setup()))?.faults;
 async function untilFaults(...wanted) {
   for (const end = Date.now() + 8000; Date.now() < end; await page.waitForTimeout(30))

@@ -1,21 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { frameOf, openPage, startBrowser, startServer, until } from "./browser.mjs";
+import { test } from "node:test";
+import { frameOf, openPage, press, until, withPage } from "./browser.mjs";
 
 // A path that is drawn on the ground, and one that comes along.
 let browser, server, page;
 
-before(async () => {
-  browser = await startBrowser();
-  server = await startServer("--port", "0", "--terrain", "flat");
-  page = await openPage(browser, server.url);
-});
-after(async () => {
-  await browser?.close();
-  await server?.stop();
-});
+withPage(["--terrain", "flat"], (parts) => ({ browser, server, page } = parts));
 
 const route = () => page.evaluate(() => window.hexagait.setup()?.path);
 async function untilRoute(condition) {
@@ -25,10 +17,7 @@ async function untilRoute(condition) {
   }
   throw new Error(`not within 8 s: ${condition}; the path: ${JSON.stringify(await route())}`);
 }
-async function key(name) {
-  await page.locator("#world").focus();
-  await page.keyboard.press(name);
-}
+const key = (name) => press(page, name);
 /** Along points of the picture [px]. */
 async function drag(points) {
   await page.mouse.move(...points[0]);

@@ -1,21 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { frameOf, openPage, startBrowser, startServer, until } from "./browser.mjs";
+import { test } from "node:test";
+import { frameOf, press, until, withPage } from "./browser.mjs";
 
 // Two robots on the same ground.
-let browser, server, page;
+let page;
 
-before(async () => {
-  browser = await startBrowser();
-  server = await startServer("--port", "0", "--terrain", "boxes:6cm");
-  page = await openPage(browser, server.url);
-});
-after(async () => {
-  await browser?.close();
-  await server?.stop();
-});
+withPage(["--terrain", "boxes:6cm"], (parts) => ({ page } = parts));
 
 const rival = () => page.evaluate(() => window.hexagait.rival());
 async function untilRival(condition) {
@@ -24,8 +16,7 @@ async function untilRival(condition) {
 }
 
 test("G begins a race: a second robot of another gait walks as it is told, and both distances are shown", async () => {
-  await page.locator("#world").focus();
-  await page.keyboard.press("g");
+  await press(page, "g");
   await untilRival((f) => f?.tripod && f.path > 0);
   await page.locator("#race[aria-pressed=true]").waitFor();
   await page.locator("#go").click();

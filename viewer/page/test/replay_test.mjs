@@ -7,7 +7,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { after, before, describe, test } from "node:test";
-import { frameOf, openPage, serve, startBrowser, until } from "./browser.mjs";
+import { frameOf, openPage, press, serve, startBrowser, until } from "./browser.mjs";
 import { openReplay } from "./replay.js";
 
 const folder = mkdtempSync(join(tmpdir(), "hexagait-replay-"));
@@ -30,10 +30,7 @@ after(async () => {
   writeFileSync(`${process.env.OUT}/measured_replay.json`, JSON.stringify(measured, null, 2) + "\n");
 });
 
-async function key(name, of = page) {
-  await of.locator("#world").focus();
-  await of.keyboard.press(name);
-}
+const key = (name, of = page) => press(of, name);
 /** Sets the slider as a hand does. */
 const scrub = (seconds, of = page) => of.locator("#scrub").fill(String(Math.round(1000 * seconds)));
 /** Waits until the player is as asked. */

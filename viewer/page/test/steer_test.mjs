@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";
 import { after, before, describe, test } from "node:test";
-import { frameOf, openPage, startBrowser, startServer, until } from "./browser.mjs";
+import { frameOf, openPage, press, startBrowser, startServer, until } from "./browser.mjs";
 
 // Low ground: what is tested are the page's controls, one sharp turn after the other. Over boxes of 10 cm
 // the robot falls over some of them.
@@ -32,10 +32,7 @@ async function drag(selector, from, to) {
   for (let k = 1; k <= 8; ++k) await page.mouse.move(...at(from.map((v, i) => v + ((to[i] - v) * k) / 8)));
   await page.mouse.up();
 }
-async function key(name) {
-  await page.locator("#world").focus();
-  await page.keyboard.press(name);
-}
+const key = (name) => press(page, name);
 const click = (id) => page.locator(`#${id}`).click();
 async function reset() {
   const { scene } = await frameOf(page);
