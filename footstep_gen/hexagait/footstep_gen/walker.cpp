@@ -360,8 +360,11 @@ void Walker::command() noexcept {
   const bool gives_way = !sways && !lost_legs().empty() && !record_.waits.empty();
   if (gives_way) back.v.setZero();
   if (escape.phase != EscapePhase::none) back = escape.left;
-  record_.base_auto =
-      base_auto(*model_, record_.arc, executor_, record_.state.X_OB, back, params_.step);
+  // A crawling base stays as far inside as the leg waited for: braking takes the zero-moment point out by
+  // more than the margin of many legs, and the leg on the other side would lose contact.
+  StepParams step = params_.step;
+  if (sways) step.stability_margin = std::max(step.stability_margin, step.lift_margin);
+  record_.base_auto = base_auto(*model_, record_.arc, executor_, record_.state.X_OB, back, step);
   keep_out(record_.base_auto, escape);
   if (sways) sway(record_.base_auto, record_.gate.sway);
   if (gives_way) record_.base_auto.correction.v += way_for_waiting();
