@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <hexagait/posture/free_optimum.hpp>
 #include <hexagait/posture/detail/posture_error.hpp>
+#include <hexagait/posture/free_optimum.hpp>
 #include <hexagait/sim/random.hpp>
 #include <testing/random_feet.hpp>
 
