@@ -191,6 +191,7 @@ Command plant(const Message& m) {
   const auto preset = std::ranges::find(presets, m.word("plant"), &recording::PlantPreset::name);
   if (preset != presets.end()) return ChangePlant{&*preset};
   std::vector<std::string_view> names;
+  names.reserve(presets.size());
   for (const auto& one : presets) names.push_back(one.name);
   m.refuse("plant", fmt::format("it must be {}", fmt::join(names, " or ")));
 }
