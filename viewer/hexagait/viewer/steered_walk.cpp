@@ -92,7 +92,8 @@ void SteeredWalk::follow(path_following::PathTask task, const PlanarPose& X_WP) 
   followed_path_ = std::make_unique<FollowedPath>(std::move(task), X_WP);
 }
 
-// By the path that it follows, or by the curve of its commands.
+// By the path that it follows, or by the curve of its commands, which is told of each place: the next curve begins
+// at the last one.
 void SteeredWalk::judge() {
   lateral_ = path_.deviation(place()).lateral;
   if (followed_path_) lateral_ = followed_path_->observe(walker_, world_.truth());
