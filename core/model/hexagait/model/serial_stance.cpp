@@ -16,7 +16,10 @@ constexpr double kImmobile = 1e-3;      // dexterity below which the foot cannot
 constexpr double kNimble = 0.08;        // dexterity that suffices for a nominal stance
 constexpr double kFarFromLimit = 0.3;   // more clearance from a joint limit is no better [rad]
 constexpr double kSameScore = 1e-6;
-constexpr double kSettled = 1e-9;  // change of a squared distance [m²]
+constexpr double kIntersecting = 1e-6;  // axes nearer to each other intersect [m]
+constexpr double kSettled = 1e-9;       // change of a squared distance [m²]
+
+bool has_steep_first_axis(const LegModel& leg) { return std::abs(leg.axis_B0[0].z()) >= kSteep; }
 
 /// Smallest singular value of the Jacobian over the reach; 0 where the foot cannot move in some
 /// direction.
@@ -134,11 +137,23 @@ Score best_posture(const LegModel& leg, const Vector3& p_BF, LegJoints& best_q) 
   return best;
 }
 
+/// Does this joint lift the foot, rather than twist or turn the leg?
+bool bends(const LegModel& leg, int joint) {
+  return has_steep_first_axis(leg) ? std::abs(leg.axis_B0[joint].dot(leg.X_BH.R.col(1))) > kSteep
+                                   : joint > 0;
+}
+
+/// The first joint after the coxa: the first one that bends; the second one if none does.
+int first_bend(const LegModel& leg) {
+  for (int i = 1; i < leg.num_joints(); ++i)
+    if (bends(leg, i)) return i;
+  return 1;
+}
+
 /// The rule's place for the nominal foot, in the hip frame [m].
 Vector3 nominal_place(const LegModel& leg) {
   const SerialLengths lengths = serial_lengths(leg);
-  if (std::abs(leg.axis_B0[0].z()) < kSteep)
-    return {lengths.lateral, 0.0, -kUprightHeight * leg.max_reach};
+  if (!has_steep_first_axis(leg)) return {lengths.lateral, 0.0, -kUprightHeight * leg.max_reach};
   return {lengths.coxa + lengths.upper, 0.0, -(lengths.upper + lengths.rest) / kHeightRatio};
 }
 
@@ -165,13 +180,19 @@ bool is_immobile(const LegModel& leg) {
 
 SerialLengths serial_lengths(const LegModel& leg) {
   SerialLengths lengths;
-  for (int i = 0; i < leg.num_joints(); ++i) {
-    const bool last = i + 1 == leg.num_joints();
+  const int n = leg.num_joints(), bend = first_bend(leg);
+  Vector3 entry = leg.p_BJ0[0];  // where the way along the leg meets the axis
+  for (int i = 0; i < n; ++i) {
+    const bool last = i + 1 == n;
     const Vector3 p = leg.p_BJ0[i], a = leg.axis_B0[i];
     const NearestPoints ends = last ? nearest_points(p, a, leg.p_BF0, a)
                                     : nearest_points(p, a, leg.p_BJ0[i + 1], leg.axis_B0[i + 1]);
-    const double length = (ends.on_second - ends.on_first).norm();
-    (i == 0 ? lengths.coxa : i == 1 ? lengths.upper : lengths.rest) += length;
+    double length = (ends.on_second - ends.on_first).norm();
+    // Along its own axis only a joint that twists the leg lengthens it.
+    if (i > 0 && !bends(leg, i)) length += (ends.on_first - entry).norm();
+    entry = ends.on_second;
+    const bool in_upper = i >= bend && lengths.upper < kIntersecting;
+    (i < bend ? lengths.coxa : in_upper ? lengths.upper : lengths.rest) += length;
   }
   lengths.lateral = leg.X_BH.R.col(0).dot(leg.p_BF0 - leg.X_BH.p);
   return lengths;

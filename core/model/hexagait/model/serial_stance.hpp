@@ -9,13 +9,17 @@ namespace hexagait {
 
 /// Lengths of a serial leg with all joints at zero, in the roles of coxa, femur and tibia.
 struct SerialLengths {
-  double coxa = 0.0;     ///< from the first axis to the second [m]
-  double upper = 0.0;    ///< from there to the third [m]
+  double coxa = 0.0;     ///< from the first axis to the first one that bends the leg [m]
+  double upper = 0.0;    ///< from there to the next joint that is not in the same place [m]
   double rest = 0.0;     ///< from there on, axis to axis and to the foot's centre [m]
   double lateral = 0.0;  ///< of the foot from the hip, along x of the hip frame [m]
 };
 
-/// Shortest distances from each joint axis to the next.
+/// Shortest distances from each joint axis to the next, and along the axes of joints that twist the leg.
+///
+/// If the first axis is steep, joints whose axes are across the leg bend it, the others twist it: coxa is the
+/// way from a yaw axis to the first pitch axis, also where a roll axis is between them. If the first axis is
+/// horizontal, every joint but the first counts as one that bends.
 [[nodiscard]] SerialLengths serial_lengths(const LegModel& leg);
 
 /// The reach of a serial leg, kSingularMargin inside the distances at which it would be straight or
