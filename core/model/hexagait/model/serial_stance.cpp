@@ -10,11 +10,13 @@
 namespace hexagait {
 namespace {
 
-constexpr double kUprightHeight = 0.8;  // nominal height / longest reach, first axis horizontal
-constexpr double kSteep = 0.7;          // a first axis with a greater z is a yaw axis
-constexpr double kImmobile = 1e-3;      // dexterity below which the foot cannot move in a direction
-constexpr double kNimble = 0.08;        // dexterity that suffices for a nominal stance
-constexpr double kFarFromLimit = 0.3;   // more clearance from a joint limit is no better [rad]
+// Nominal height / longest reach, first axis horizontal: the leg has as much to give downwards, where
+// the ground is lower, as it needs upwards.
+constexpr double kUprightHeight = 0.66;
+constexpr double kSteep = 0.7;         // a first axis with a greater z is a yaw axis
+constexpr double kImmobile = 1e-3;     // dexterity below which the foot cannot move in a direction
+constexpr double kNimble = 0.08;       // dexterity that suffices for a nominal stance
+constexpr double kFarFromLimit = 0.3;  // more clearance from a joint limit is no better [rad]
 constexpr double kSameScore = 1e-6;
 constexpr double kIntersecting = 1e-6;  // axes nearer to each other intersect [m]
 constexpr double kSettled = 1e-9;       // change of a squared distance [m²]

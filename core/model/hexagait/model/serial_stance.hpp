@@ -34,7 +34,7 @@ struct SerialLengths {
 ///
 /// If the first axis is steep, the foot stands where that of a yaw-pitch-pitch leg would: outwards
 /// by coxa + upper, and (upper + rest) / kHeightRatio below the hip. If the first axis
-/// is horizontal, as in legs of mammals, it stands as far out as with all joints at zero, 0.8 of
+/// is horizontal, as in legs of mammals, it stands as far out as with all joints at zero, 0.66 of
 /// the longest reach below the hip. If the leg cannot reach that place well, the nearest place
 /// around it that it can is taken.
 ///

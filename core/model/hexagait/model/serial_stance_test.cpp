@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The two robots of robots/ whose legs are serial, and how such legs come to their stance.
+// The robots of robots/ whose legs are serial, and how such legs come to their stance.
 #include <gtest/gtest.h>
 
 #include <hexagait/balance/stance_pose.hpp>
@@ -43,15 +43,44 @@ TEST(HexapodOfFourJoints, StandsLikeArgos) {
   }
 }
 
-// Thigh and shank have 0.54 m, 0.1 m outside of the hip: √(0.54² + 0.1²) is the longest reach, 0.8
+// Thigh and shank have 0.54 m, 0.1 m outside of the hip: √(0.54² + 0.1²) is the longest reach, 0.66
 // of 96 % of it the nominal height.
 TEST(RollPitchPitch, StandsBelowItsHips) {
   EXPECT_EQ(names_of(quadruped()), "LF RF LH RH ");
   EXPECT_NEAR(quadruped().mass, 26.0, 1e-12);
   const double reach = 0.96 * std::hypot(0.54, 0.1);
   EXPECT_NEAR(quadruped().legs[0].max_reach, reach, 1e-6);
-  EXPECT_LT((quadruped().legs[0].p_BC - Vector3(0.32, 0.24, -0.8 * reach)).norm(), 1e-6);
-  EXPECT_LT((quadruped().legs[3].p_BC - Vector3(-0.32, -0.24, -0.8 * reach)).norm(), 1e-6);
+  EXPECT_LT((quadruped().legs[0].p_BC - Vector3(0.32, 0.24, -0.66 * reach)).norm(), 1e-6);
+  EXPECT_LT((quadruped().legs[3].p_BC - Vector3(-0.32, -0.24, -0.66 * reach)).norm(), 1e-6);
+}
+
+// Yaw, roll and pitch intersect, 4.5 cm one from the other: a coxa of 9 cm. Femur and tibia have 18
+// and 24 cm.
+TEST(YawRollPitch, HasTheRollJointInItsCoxa) {
+  const RobotModel beetle = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/beetle.urdf");
+  for (const LegModel& leg : beetle.legs) {
+    const SerialLengths lengths = serial_lengths(leg);
+    EXPECT_NEAR(lengths.coxa, 0.09, 1e-9);
+    EXPECT_NEAR(lengths.upper, 0.18, 1e-9);
+    EXPECT_NEAR(lengths.rest, 0.24, 1e-9);
+    const Vector3 p_HC = leg.X_BH.inverse() * leg.p_BC;
+    EXPECT_NEAR(p_HC.x(), 0.09 + 0.18, 1e-9);
+    EXPECT_NEAR(p_HC.z(), -(0.18 + 0.24) / 2.2, 1e-9);
+  }
+}
+
+// A joint that twists the femur, between its ends: its length counts, and the femur stays the femur.
+TEST(YawPitchRollPitch, HasTheTwistInItsFemur) {
+  LegModel leg = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/beetle.urdf").legs[0];
+  const Vector3 out = leg.X_BH.R.col(0), across = leg.X_BH.R.col(1), hip = leg.X_BH.p;
+  leg.axis_B0[1] = across, leg.p_BJ0[1] = hip + 0.05 * out;
+  leg.axis_B0[2] = out, leg.p_BJ0[2] = hip + 0.10 * out;
+  leg.axis_B0[3] = across, leg.p_BJ0[3] = hip + 0.25 * out;
+  leg.p_BF0 = hip + 0.55 * out;
+  const SerialLengths lengths = serial_lengths(leg);
+  EXPECT_NEAR(lengths.coxa, 0.05, 1e-9);
+  EXPECT_NEAR(lengths.upper, 0.20, 1e-9);
+  EXPECT_NEAR(lengths.rest, 0.30, 1e-9);
 }
 
 // The knee's 2.7 rad leave 0.54 cos 1.35 between pitch axis and foot, 0.1 m outside of the hip.

@@ -19,9 +19,7 @@ struct KnownToFail {
 constexpr const char* kThree =
     "a leg that finds no ground, or whose way is blocked, keeps the other three where they are";
 constexpr KnownToFail kKnownToFail[] = {
-    {"beetle", {0.0, 20.0}, "folded legs: the boxes are 0.8 ℓ high, and a step clears 0.45 ℓ"},
     {"genghis", {20.0, 70.0}, "feet of two joints slide whenever the body tilts or turns"},
-    {"hexapod_mammal", {60.0, 94.0}, "the boxes are 0.54 ℓ high, and a step clears 0.45 ℓ"},
     {"quadruped", {60.0, 94.0}, kThree},
     {"quadruped_rpp", {20.0, 70.0}, kThree}};
 
