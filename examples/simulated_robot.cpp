@@ -56,7 +56,8 @@ int main(int argc, char** argv) try {
   auto next = Clock::now();
   Measurement state;
   bool fell = false, stopped = false;
-  while (world.read(state) == PlantStatus::fresh && pipe.send(state)) {
+  while (world.read(state) == PlantStatus::fresh) {
+    pipe.send(state);
     next = std::max(next + period, Clock::now() - kMostBehind);
     const std::chrono::duration<double> left = next - Clock::now();
     const PipeRobot::Heard heard = pipe.receive(real_time ? left.count() : kPatience);

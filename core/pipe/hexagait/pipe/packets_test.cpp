@@ -82,7 +82,8 @@ TEST(Packets, OfAnotherProgramAreNamed) {
 
   EXPECT_THAT(why("hello\n", 6), HasSubstr("sent 6 bytes, beginning with \"hello\","));
   EXPECT_THAT(why("hello\n", 6), HasSubstr("standard error"));
-  EXPECT_THAT(why(&good, sizeof good - 8), HasSubstr("it must have " + std::to_string(sizeof good)));
+  EXPECT_THAT(why(&good, sizeof good - 8),
+              HasSubstr("it must have " + std::to_string(sizeof good)));
   StatePacket old = good;
   old.header.version = 7;
   EXPECT_THAT(why(&old, sizeof old), HasSubstr("speaks version 7 of the packets"));

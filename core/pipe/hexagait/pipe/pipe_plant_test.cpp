@@ -127,6 +127,18 @@ TEST_F(Pipe, SaysThatTheControllerIsGone) {
   EXPECT_EQ(robot.problem(), "closed the pipe");
 }
 
+// Its last word is heard, although it left without reading what it was sent.
+TEST_F(Pipe, BringsTheLastTargetsOfAControllerThatHasGone) {
+  ASSERT_TRUE(robot.send(state_at(1.0)));
+  plant.set_stopped(true);
+  plant.write({.q = state_at(1.0).q, .qd = state_at(1.0).q, .effort = state_at(1.0).q});
+  hang_up(0);
+  EXPECT_FALSE(robot.send(state_at(2.0)));
+  ASSERT_EQ(robot.receive(0.1), PipeRobot::Heard::targets);
+  EXPECT_TRUE(robot.stopped());
+  EXPECT_EQ(robot.receive(0.1), PipeRobot::Heard::closed);
+}
+
 TEST_F(Pipe, NamesWhatIsNoState) {
   send_text("Motors on\n");
   EXPECT_EQ(plant.read(measurement), PlantStatus::closed);

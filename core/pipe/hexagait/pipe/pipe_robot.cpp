@@ -6,8 +6,7 @@
 namespace hexagait {
 
 bool PipeRobot::send(const Measurement& measurement) noexcept {
-  closed_ = closed_ || !detail::send_packet(out_, state_packet(measurement, size_));
-  return !closed_;
+  return !closed_ && detail::send_packet(out_, state_packet(measurement, size_));
 }
 
 PipeRobot::Heard PipeRobot::receive(double patience) noexcept {

@@ -19,7 +19,7 @@ class PipeRobot {
   /// @param in, out  what the program was started with: STDIN_FILENO and STDOUT_FILENO
   PipeRobot(int in, int out, RobotSize size) : in_(in), out_(out), size_(size) {}
 
-  /// Never waits. @returns false if the controller is gone
+  /// Never waits. @returns false if the controller is gone; its last targets may still wait for receive()
   bool send(const Measurement& measurement) noexcept;
 
   /// Waits for targets for up to so long [s]. Of several that have come it takes the newest.

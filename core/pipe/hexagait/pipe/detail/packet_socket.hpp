@@ -25,12 +25,14 @@ inline bool wait_for(int socket, double seconds) noexcept {
 
 enum class Taken : std::uint8_t { packet, nothing, end };
 
-/// Takes what has come, without waiting. @param packet  its bytes, as far as there is room for them
+/// Takes what has come, without waiting. The other end may have left without reading all that it was sent
+/// (ECONNRESET, told once); what it had sent before can still be taken.
+/// @param packet  its bytes, as far as there is room for them
 template <class Packet>
 Taken take(int socket, Packet& packet, Received& received) noexcept {
   ssize_t count = 0;
   do count = recv(socket, &packet, sizeof packet, MSG_DONTWAIT | MSG_TRUNC);
-  while (count < 0 && errno == EINTR);
+  while (count < 0 && (errno == EINTR || errno == ECONNRESET));
   received = {};
   if (count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) return Taken::nothing;
   if (count <= 0) return Taken::end;
