@@ -89,6 +89,7 @@ class StoppedSession : public testing::Test {
     Session::Letter letter;
     PoseFrame frame;
     for (int k = 0; k < 500; ++k) {
+      if (beats_ != 0) (void)session_.receive(beats_, R"({"type":"beat"})");
       while (session_.newer_than(seen, letter)) {
         if (letter.kind == Session::Mail::frame) frame = decode(letter.content);
         if (letter.kind == Session::Mail::setup) setup_ = letter.content;
@@ -103,6 +104,7 @@ class StoppedSession : public testing::Test {
 
   Session session_{options()};
   std::string setup_;
+  ClientId beats_ = 0;  // who gives signs of life
 };
 
 // In simulation too, also while it is paused; and over a new scene until it is released.
@@ -131,7 +133,7 @@ TEST_F(StoppedSession, LastsUntilItIsReleased) {
 
 // Both robots of a race, and the path that was followed is left.
 TEST_F(StoppedSession, HoldsARaceAndLeavesThePath) {
-  const ClientId client = session_.enter();
+  const ClientId client = beats_ = session_.enter();
   EXPECT_THAT(session_.receive(client, R"({"type":"race","on":true,"gait":"tripod"})"), IsEmpty());
   EXPECT_THAT(session_.receive(client, R"({"type":"follow","points":[[0,0],[5,0]]})"), IsEmpty());
   frame_when([](const PoseFrame& f) { return (f.flags & PoseFrame::follows) != 0; });
