@@ -24,15 +24,18 @@ int port(const std::string& text) {
       "--port is '{}'; it must be a whole number from 0 (any that is free) to 65535", text));
 }
 
-// Raises `end` with Ctrl-C, or when the time is over.
+constexpr auto kLastWords = std::chrono::milliseconds(300);  // to pages, of what is over by itself
+
+// Raises `end` with Ctrl-C, when the time is over, or it is over by itself.
 class End {
  public:
-  explicit End(double seconds)
-      : thread_([this, seconds, &interrupted = watch_interrupts()] {
+  End(double seconds, const Ended& over)
+      : thread_([this, seconds, &over, &interrupted = watch_interrupts()] {
           const auto begin = viewer::Clock::now();
           const std::chrono::duration<double> length(seconds);
-          while (!ended_ && !interrupted && viewer::Clock::now() - begin < length)
+          while (!ended_ && !interrupted && viewer::Clock::now() - begin < length && !over())
             std::this_thread::sleep_for(std::chrono::milliseconds(50));
+          if (over()) std::this_thread::sleep_for(kLastWords);
           ended_ = true;
         }) {}
   ~End() {
@@ -51,13 +54,13 @@ class End {
 
 }  // namespace
 
-void wait_for_end(double seconds) {
-  const End end(seconds);
+void wait_for_end(double seconds, const Ended& ended) {
+  const End end(seconds, ended);
   while (!end.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
 }
 
 void serve_page(const char* command, const PageAddress& address, bool quiet, viewer::Host& host,
-                double seconds) {
+                double seconds, const Ended& ended) {
   if (viewer::page_files().empty())
     throw InvalidInput(fmt::format("{}: {}", command, viewer::kNoPage));
   const std::string bind = address.bind == "localhost" ? "127.0.0.1" : address.bind;
@@ -66,7 +69,7 @@ void serve_page(const char* command, const PageAddress& address, bool quiet, vie
   viewer::Server server(std::move(access), host);
   print_out(fmt::format("{}\n", server.url()));
   if (!quiet) fmt::print(stderr, "Open this address in a browser; Ctrl-C ends.\n");
-  const End end(seconds);
+  const End end(seconds, ended);
   server.run(end.ended());
 }
 

@@ -22,15 +22,28 @@ double speed(const std::string& text) {
 }  // namespace
 
 int steer_command(const SteerArguments& arguments) {
+  const bool live = !arguments.live.empty();
+  if (live && arguments.walk.plant.given())
+    throw InvalidInput("--live: a plant and its faults are of a simulated robot; leave them out");
   const auto attend = [&](viewer::Session& session, const auto& /*heading*/, double seconds) {
+    // Without a page nobody can take over a robot that a fault has stopped.
+    const auto ended = [&, live] {
+      const Fault fault = session.statistics().fault;
+      return live && (fault == Fault::plant_closed || (arguments.headless && fault != Fault::none));
+    };
     if (arguments.headless)
-      wait_for_end(seconds);
+      wait_for_end(seconds, ended);
     else
-      serve_page("steer", arguments.address, arguments.walk.quiet, session, seconds);
+      serve_page("steer", arguments.address, arguments.walk.quiet, session, seconds, ended);
   };
   const viewer::SessionStatistics statistics =
-      walk_in_session("steer", arguments.walk, speed(arguments.speed), attend);
-  return arguments.headless && statistics.fell ? kFailed : kOk;
+      walk_in_session("steer", arguments.walk,
+                      {.speed_factor = speed(arguments.speed),
+                       .live = arguments.live,
+                       .stands = live && !arguments.headless},
+                      attend);
+  const bool failed = live ? has_failed(statistics) : arguments.headless && statistics.fell;
+  return failed ? kFailed : kOk;
 }
 
 }  // namespace hexagait::app

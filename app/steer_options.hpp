@@ -14,6 +14,7 @@ struct SteerArguments {
   WalkArguments walk;  ///< of which steer has only some options
   PageAddress address;
   std::string speed = "1";
+  std::string live;  ///< command line of a live robot's program
   bool headless = false;
 };
 

@@ -130,6 +130,12 @@ TEST_F(Teleop, IsSteeredByKeys) {
   EXPECT_TRUE(shows("stopped  r 8.68 m")) << shown_;
   type("s");
   EXPECT_TRUE(shows("α -180°") || shows("α 180°")) << shown_;
+  type("\x1b");
+  EXPECT_TRUE(shows("EMERGENCY STOP: ! releases it")) << shown_;
+  type("s");
+  EXPECT_TRUE(shows("release it first")) << shown_;
+  type("!");
+  EXPECT_TRUE(shows("stopped  r ")) << shown_;
   type(" ");
   EXPECT_TRUE(shows("paused")) << shown_;
   type("\x7f");

@@ -23,11 +23,14 @@ using viewer::Session;
 constexpr const char* kKeys =
     "W S ahead, backwards · A D curve to the left, right · Q E crab · X stop · ↑ go on · Space "
     "pause\n"
-    "→ one tick · P push · R scramble the legs · Backspace begin again · Ctrl-C ends\n";
+    "→ one tick · P push · R scramble the legs · Backspace begin again · Ctrl-C ends\n"
+    "Esc EMERGENCY STOP, any number of times; ! releases it\n";
 constexpr int kWait = 50;  // for a key, and between two lines at most [ms]
 
 std::string state_of(const PoseFrame& frame) {
   if ((frame.flags & PoseFrame::fell) != 0) return "fell: Backspace begins again";
+  if (frame.fault == static_cast<int>(Fault::emergency_stop))
+    return "EMERGENCY STOP: ! releases it";
   if (frame.fault != 0) return "stopped by a fault: Backspace begins again";
   if ((frame.flags & PoseFrame::paused) != 0) return "paused";
   if ((frame.flags & PoseFrame::silent) != 0) return "stopped: no sign of life";
@@ -58,9 +61,8 @@ class Terminal {
   Terminal& operator=(const Terminal&) = delete;
 
   void type(const std::string& bytes) {
-    if (bytes.empty()) keys_.rest();
-    for (const char byte : bytes)
-      if (const auto key = keys_.take(byte)) send(steering_.message(*key));
+    if (bytes.empty()) press(keys_.rest());
+    for (const char byte : bytes) press(keys_.take(byte));
   }
 
   // A sign of life, without which the robot would be stopped; and what is new.
@@ -75,6 +77,10 @@ class Terminal {
   }
 
  private:
+  void press(std::optional<viewer::Key> key) {
+    if (key) send(steering_.message(*key));
+  }
+
   void send(const std::string& message) {
     if (const std::string answer = session_.receive(client_, message); !answer.empty())
       complain(answer);
@@ -123,7 +129,7 @@ int teleop_command(const WalkArguments& arguments) {
   const auto in_terminal = [&](Session& session, const auto& heading, double seconds) {
     attend(session, heading, seconds, arguments.quiet);
   };
-  return walk_in_session("walk --teleop", arguments, 1.0, in_terminal).fell ? kFailed : kOk;
+  return walk_in_session("walk --teleop", arguments, {}, in_terminal).fell ? kFailed : kOk;
 }
 
 }  // namespace hexagait::app

@@ -28,7 +28,8 @@ Examples:
   hexagait walk --teleop --terrain boxes:10cm       steered by keys, in real time: W S A D Q E X
 
 With --teleop it walks without an end, or --seconds; the keys are shown, and are those of hexagait
-steer (docs/steer.md). Ctrl-C ends it with status 0, or 1 if the robot lies there.
+steer (docs/steer.md). Esc is the emergency stop, ! releases it. There is no looking back, as a terminal
+shows no picture: --record keeps the walk. Ctrl-C ends it with status 0, or 1 if the robot lies there.
 
 Exit status: 0 walked to the end; 1 fell, stuck, fault, or did not arrive in time;
 2 bad usage or input, or a file or stdout that can't be written; 130 Ctrl-C.)";

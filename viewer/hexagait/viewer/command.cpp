@@ -256,6 +256,8 @@ constexpr std::array kKinds = {
     Kind{"restart", restart},
     Kind{"beat", plain<Beat>},
     Kind{"release", plain<Release>},
+    Kind{"estop", plain<EmergencyStop>},
+    Kind{"release_estop", plain<ReleaseEmergencyStop>},
 };
 
 // Well-formed by RFC 3629: no overlong form, no surrogate, nothing above U+10FFFF.
@@ -293,7 +295,29 @@ Command command_of(const Json& json) {
   return kind->read(Message(json, name));
 }
 
+struct OnlySimulated {
+  const char* operator()(const Pause&) const { return "be paused"; }
+  const char* operator()(const SingleStep&) const { return "be moved tick by tick"; }
+  const char* operator()(const SpeedFactor&) const { return "be slowed down with its time"; }
+  const char* operator()(const Scramble&) const { return "be put down with other legs"; }
+  const char* operator()(const Push&) const { return "be pushed"; }
+  const char* operator()(const Race&) const { return "race"; }
+  const char* operator()(const Break&) const { return "be broken"; }
+  const char* operator()(const Mend&) const { return "be mended"; }
+  const char* operator()(const ChangePlant&) const { return "have another plant"; }
+  const char* operator()(const Reset&) const { return "begin again"; }
+  const char* operator()(const Restart&) const { return "be another robot, or on other ground"; }
+  const char* operator()(const auto& /*other*/) const { return nullptr; }
+};
+
 }  // namespace
+
+bool is_motion(const Command& command) {
+  return std::holds_alternative<Drive>(command) || std::holds_alternative<DriveTwist>(command) ||
+         std::holds_alternative<Follow>(command);
+}
+
+const char* only_simulated(const Command& command) { return std::visit(OnlySimulated(), command); }
 
 std::variant<Command, CommandError> parse_command(std::string_view text) {
   if (text.size() > kMaxMessage)

@@ -35,6 +35,8 @@
 ///     {"type":"restart","robot":"argos","terrain":"boxes:10cm","seed":2}   each may be left out
 ///     {"type":"beat"}               a sign of life from who holds the wheel
 ///     {"type":"release"}            gives the wheel back
+///     {"type":"estop"}              emergency stop: from anybody, at once, however much was sent before
+///     {"type":"release_estop"}      ends it: the robot stands until it is steered
 ///
 /// drive, spin and follow may have a "limit" of the speed [m/s of path]. An unknown key is refused, as a
 /// key that is missing is.
@@ -91,10 +93,18 @@ struct Restart {
 };
 struct Beat {};
 struct Release {};
+struct EmergencyStop {};
+struct ReleaseEmergencyStop {};
 
-using Command =
-    std::variant<Drive, DriveTwist, Stop, Follow, Pause, SingleStep, SpeedFactor, Scramble, Push,
-                 ChangeGait, Race, Break, Mend, ChangePlant, Reset, Restart, Beat, Release>;
+using Command = std::variant<Drive, DriveTwist, Stop, Follow, Pause, SingleStep, SpeedFactor,
+                             Scramble, Push, ChangeGait, Race, Break, Mend, ChangePlant, Reset,
+                             Restart, Beat, Release, EmergencyStop, ReleaseEmergencyStop>;
+
+/// Does it make the robot walk?
+[[nodiscard]] bool is_motion(const Command& command);
+
+/// What of it only a simulated robot can do, as "be pushed"; null if a live one can do it too.
+[[nodiscard]] const char* only_simulated(const Command& command);
 
 /// Why a message is no command, in words for the person who sent it.
 struct CommandError {

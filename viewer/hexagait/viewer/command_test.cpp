@@ -70,6 +70,8 @@ TEST(Command, ReadsEveryType) {
   EXPECT_FALSE(restart.robot);
   parsed<Beat>(R"({"type":"beat"})");
   parsed<Release>(R"({"type":"release"})");
+  parsed<EmergencyStop>(R"({"type":"estop"})");
+  parsed<ReleaseEmergencyStop>(R"({"type":"release_estop"})");
 }
 
 TEST(Command, RefusesWhatIsNoMessage) {

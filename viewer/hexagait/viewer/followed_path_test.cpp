@@ -6,7 +6,7 @@
 #include <cmath>
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/urdf.hpp>
-#include <hexagait/viewer/steered_walk.hpp>
+#include <hexagait/viewer/simulated_walk.hpp>
 
 namespace hexagait::viewer {
 namespace {
@@ -49,7 +49,7 @@ TEST(FollowedPath, RefusesWhatIsNoPath) {
 // Points are in the world, wherever the robot is and looks.
 TEST(FollowedPath, IsWalkedToItsEnd) {
   recording::Simulation simulation;
-  SteeredWalk walk(argos(), simulation, {{0.5 * std::numbers::pi, {3.0, -2.0}}, 0.0, 0});
+  SimulatedWalk walk(argos(), simulation, {{0.5 * std::numbers::pi, {3.0, -2.0}}, 0.0, 0});
   const Vector2 begin = walk.place().shift, end = begin + Vector2(0.5, 0.6);
   walk.follow(drawn({begin, begin + Vector2(0.0, 0.4), end}, false, walk.place()), {});
   EXPECT_LT((walk.path()->picture().front() - begin).norm(), 1e-9);
@@ -69,7 +69,7 @@ TEST(FollowedPath, IsWalkedToItsEnd) {
 
 TEST(FollowedPath, KeepsToTheSpeedLimitAndObeysAfterIt) {
   recording::Simulation simulation;
-  SteeredWalk walk(argos(), simulation);
+  SimulatedWalk walk(argos(), simulation);
   walk.follow(drawn({{0.0, 0.0}, {5.0, 0.0}}), {});
   for (int k = 0; k < 1500; ++k) walk.tick({Heading::stop(), 0.05});
   EXPECT_LT(walk.place().shift.x(), 0.05 * 3.0 + 0.02);

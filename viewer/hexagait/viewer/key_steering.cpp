@@ -59,6 +59,8 @@ std::optional<Key> letter(char byte) {
       return Key::scramble;
     case ' ':
       return Key::pause;
+    case '!':
+      return Key::release_emergency_stop;
     case '\b':
     case '\x7f':
       return Key::reset;
@@ -70,13 +72,14 @@ std::optional<Key> letter(char byte) {
 }  // namespace
 
 std::optional<Key> KeyDecoder::take(char byte) {
+  if (state_ == State::escape) {
+    // Anything else came after Esc, which a hand in a hurry may press more than once.
+    const bool sequence = byte == '[' || byte == 'O';
+    state_ = sequence ? State::sequence : State::plain;
+    return sequence ? std::nullopt : std::optional(Key::emergency_stop);
+  }
   if (byte == '\x1b') {
     state_ = State::escape;
-    return {};
-  }
-  if (state_ == State::escape) {
-    // Anything else is Alt and a key.
-    state_ = byte == '[' || byte == 'O' ? State::sequence : State::plain;
     return {};
   }
   if (state_ == State::sequence) {
@@ -86,6 +89,12 @@ std::optional<Key> KeyDecoder::take(char byte) {
     return {};
   }
   return letter(byte);
+}
+
+std::optional<Key> KeyDecoder::rest() {
+  const bool escape = state_ == State::escape;
+  state_ = State::plain;
+  return escape ? std::optional(Key::emergency_stop) : std::nullopt;
 }
 
 KeySteering::KeySteering(const heading_control::Heading& heading) : heading_(heading) { begin(); }
@@ -134,6 +143,10 @@ std::string KeySteering::message(Key key) {
     case Key::reset:
       begin();
       return R"({"type":"reset"})";
+    case Key::emergency_stop:
+      return R"({"type":"estop"})";
+    case Key::release_emergency_stop:
+      return R"({"type":"release_estop"})";
   }
   return {};
 }

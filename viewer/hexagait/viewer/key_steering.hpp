@@ -11,19 +11,21 @@
 namespace hexagait::viewer {
 
 enum class Key : std::uint8_t {
-  ahead,       ///< W
-  backwards,   ///< S
-  left,        ///< A: curves more to the left
-  right,       ///< D
-  crab_left,   ///< Q
-  crab_right,  ///< E
-  stop,        ///< X
-  go,          ///< ↑: on along the path that was stopped
-  pause,       ///< Space
-  tick,        ///< →: one control period
-  push,        ///< P
-  scramble,    ///< R
-  reset,       ///< Backspace
+  ahead,                   ///< W
+  backwards,               ///< S
+  left,                    ///< A: curves more to the left
+  right,                   ///< D
+  crab_left,               ///< Q
+  crab_right,              ///< E
+  stop,                    ///< X
+  go,                      ///< ↑: on along the path that was stopped
+  pause,                   ///< Space
+  tick,                    ///< →: one control period
+  push,                    ///< P
+  scramble,                ///< R
+  reset,                   ///< Backspace
+  emergency_stop,          ///< Esc
+  release_emergency_stop,  ///< !
 };
 
 /// Reads keys from the bytes that a terminal sends for them.
@@ -32,7 +34,7 @@ class KeyDecoder {
   /// @returns the key that this byte completes; none if it is no key, or in the middle of one
   std::optional<Key> take(char byte);
   /// Nothing came for a while: an Escape that came last was a key of its own.
-  void rest() { state_ = State::plain; }
+  std::optional<Key> rest();
 
  private:
   enum class State : std::uint8_t { plain, escape, sequence };

@@ -136,9 +136,10 @@ std::string scene_json(const RobotModel& robot, const sim3d::Terrain& terrain, s
                       {"legs", legs},
                       {"robots", choices.robots},
                       {"paths", choices.paths},
-                      {"terrains", terrains()},
-                      {"faults", faults(robot)},
-                      {"plants", plants()}};
+                      {"live", choices.live},
+                      {"terrains", choices.live ? Json::array() : terrains()},
+                      {"faults", choices.live ? Json::array() : faults(robot)},
+                      {"plants", choices.live ? Json::array() : plants()}};
   return text_of(scene);
 }
 
@@ -182,7 +183,8 @@ std::string setup_json(const SceneSetup& setup, std::uint32_t scene) {
                   {"plant", setup.plant.name},
                   {"faults", faults},
                   {"path", way},
-                  {"race", setup.race ? Json(to_string(*setup.race)) : Json()}});
+                  {"race", setup.race ? Json(to_string(*setup.race)) : Json()},
+                  {"estop", setup.stopped_by ? Json(*setup.stopped_by) : Json()}});
 }
 
 std::string hello_json(std::uint32_t client) {

@@ -31,6 +31,7 @@ struct GroundPatch {
 /// Names of what comes along, from which a page may choose.
 struct SceneChoices {
   std::vector<std::string> robots = {}, paths = {};
+  bool live = false;  ///< a live robot: nothing of a simulated one is to choose
 };
 
 /// {"type":"scene", …}: the robot's links with their shapes, joints and feet, from which a page
@@ -51,10 +52,12 @@ struct SceneSetup {
   const recording::PlantSetup& plant;
   const FollowedPath* path = nullptr;               ///< null: none
   std::optional<gait_state::GaitChoice> race = {};  ///< gait of the second robot, if there is one
+  std::optional<std::uint32_t> stopped_by = {};     ///< client, of an emergency stop that lasts
 };
 
 /// {"type":"setup","scene":3,"plant":"real","faults":["dead:LF"],"path":{"points":[[0,0],…],"closed":true},
-/// "race":"tripod"}. Points are in the world [m]; without a path, or a race, it is null.
+/// "race":"tripod","estop":7}. Points are in the world [m]; without a path, a race, or an emergency stop, it
+/// is null.
 [[nodiscard]] std::string setup_json(const SceneSetup& setup, std::uint32_t scene);
 
 /// {"type":"hello","you":7}: the client's number, which frames name as the holder of the wheel.

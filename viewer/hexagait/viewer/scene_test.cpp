@@ -78,6 +78,8 @@ TEST(Scene, SetupTellsPlantAndFaults) {
   EXPECT_TRUE(setup["race"].is_null());
   const auto tripod = gait_state::parse_gait_choice("tripod");
   EXPECT_EQ(json::parse(setup_json({plant, nullptr, tripod}, 4))["race"], "tripod");
+  EXPECT_TRUE(setup["estop"].is_null());
+  EXPECT_EQ(json::parse(setup_json({.plant = plant, .stopped_by = 3}, 4))["estop"], 3);
 }
 
 TEST(Scene, GroundHasTheLevelsOfTheTerrainByRows) {

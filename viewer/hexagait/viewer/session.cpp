@@ -12,8 +12,10 @@ namespace {
 
 constexpr std::size_t kMostOrders = 64;  // that wait for the next tick
 constexpr auto kMostBehind = std::chrono::milliseconds(100);
-constexpr auto kIdle = std::chrono::milliseconds(50);  // between two looks while paused
-constexpr double kMeasuring = 0.5;                     // of the speed factor [s]
+constexpr auto kIdle = std::chrono::milliseconds(50);   // between two looks while paused
+constexpr double kMeasuring = 0.5;                      // of the speed factor [s]
+constexpr auto kBetweenGaps = std::chrono::seconds(1);  // that are told
+constexpr std::size_t kLongestStop = 64;  // of an emergency stop that is read in any case [bytes]
 
 Clock::duration seconds(double s) {
   return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(s));
@@ -91,14 +93,29 @@ void Session::leave(ClientId client) {
 }
 
 std::string Session::receive(ClientId client, std::string_view message) {
+  bool heard = false;
   {
     const std::lock_guard lock(mutex_);
-    if (!wheel_.hear(client, Clock::now()))
-      return error_json("too many messages; some of them were not read");
+    heard = wheel_.hear(client, Clock::now());
   }
+  constexpr const char* kTooMany = "too many messages; some of them were not read";
+  if (!heard && message.size() > kLongestStop) return error_json(kTooMany);
   auto read = parse_command(message);
-  if (const auto* error = std::get_if<CommandError>(&read)) return error_json(error->what);
-  return accept(client, std::get<Command>(std::move(read)));
+  if (const auto* error = std::get_if<CommandError>(&read))
+    return error_json(heard ? error->what : kTooMany);
+  auto& command = std::get<Command>(read);
+  if (std::holds_alternative<EmergencyStop>(command)) return press_stop(client), std::string();
+  return heard ? accept(client, std::move(command)) : error_json(kTooMany);
+}
+
+// Nothing that was sent before it counts any more.
+void Session::press_stop(ClientId client) {
+  const std::lock_guard lock(mutex_);
+  if (!stopped_by_) stopped_by_ = client;
+  if (!stop_due_) stop_tick_ = statistics_.ticks;
+  stop_due_ = true;
+  inbox_.clear();
+  wake_.notify_all();
 }
 
 std::string Session::accept(ClientId client, Command command) {
@@ -115,7 +132,12 @@ std::string Session::accept(ClientId client, Command command) {
   const std::lock_guard lock(mutex_);
   if (std::holds_alternative<Beat>(command)) return {};
   if (std::holds_alternative<Release>(command) && wheel_.holder() != client) return {};
+  if (is_live())
+    if (const char* const what = only_simulated(command); what != nullptr)
+      return error_json(fmt::format("a live robot can't {}; only a simulated one can", what));
   if (!wheel_.take(client, Clock::now())) return error_json("another page holds the wheel");
+  if (stopped_by_ && is_motion(command))
+    return error_json("the emergency stop holds the robot; release it first");
   if (std::holds_alternative<Release>(command)) wheel_.release(client);
 
   if (!inbox_.empty() && is_replaced(inbox_.back().command, command)) {
@@ -145,7 +167,7 @@ SessionStatistics Session::statistics() const {
   return statistics_;
 }
 
-// What follows is the simulation's thread.
+// What follows is the walk's thread.
 
 void Session::run(std::promise<void>& started) {
   try {
@@ -158,9 +180,9 @@ void Session::run(std::promise<void>& started) {
   started.set_value();
   while (take_orders()) {
     watch_holder();
-    const bool waits = paused_ && steps_ == 0;
+    const bool waits = over_ || (paused_ && steps_ == 0);
     if (waits && changed_) publish();
-    if (waits || Clock::now() < due_) {
+    if (waits || (!is_live() && Clock::now() < due_)) {
       wait_until(waits ? Clock::now() + kIdle : due_);
       if (waits) due_ = Clock::now();
       continue;
@@ -171,42 +193,65 @@ void Session::run(std::promise<void>& started) {
 }
 
 void Session::begin(const WalkStart& start) {
-  walk_ = nullptr;
-  rival_ = nullptr;  // of more worlds at once there is no need
-  auto walk = std::make_unique<SteeredWalk>(options_.robot, options_.simulation, start);
-  rival_ = make_rival(start);
-  walk_ = std::move(walk);
+  if (is_live())
+    walk_ = std::make_unique<LiveWalk>(options_.robot, options_.simulation, *options_.live,
+                                       options_.live_patience);
+  else
+    begin_simulated(start);
   joints_ = joint_counts(options_.robot);
-  ++scene_;
-  post(Mail::scene, scene_json(options_.robot, walk_->terrain(), options_.simulation.seed,
-                               walk_->control_dt(), scene_, {options_.robots, options_.paths}));
-  patch_ = GroundPatch::around(walk_->terrain(), walk_->place().shift);
-  post(Mail::ground, ground_json(walk_->terrain(), patch_, scene_));
+  tell_scene();
+  hold_still();
   tell_setup();
   due_ = Clock::now();
   changed_ = true;
 }
 
+void Session::begin_simulated(const WalkStart& start) {
+  walk_ = nullptr;
+  simulated_ = nullptr;
+  rival_ = nullptr;  // of more worlds at once there is no need
+  auto walk = std::make_unique<SimulatedWalk>(options_.robot, options_.simulation, start);
+  rival_ = make_rival(start);
+  simulated_ = walk.get();
+  walk_ = std::move(walk);
+}
+
+void Session::tell_scene() {
+  ++scene_;
+  post(Mail::scene,
+       scene_json(options_.robot, walk_->terrain(), options_.simulation.seed, walk_->control_dt(),
+                  scene_, {options_.robots, options_.paths, is_live()}));
+  patch_ = GroundPatch::around(walk_->terrain(), walk_->place().shift);
+  post(Mail::ground, ground_json(walk_->terrain(), patch_, scene_));
+}
+
 // On the same ground, from the same place, in the same posture, told the same; but of another gait.
-std::unique_ptr<SteeredWalk> Session::make_rival(const WalkStart& start) const {
+std::unique_ptr<SimulatedWalk> Session::make_rival(const WalkStart& start) const {
   if (!race_) return nullptr;
   recording::Simulation simulation = options_.simulation;
   simulation.gait = *race_;
-  return std::make_unique<SteeredWalk>(options_.robot, simulation, start);
+  return std::make_unique<SimulatedWalk>(options_.robot, simulation, start);
 }
 
 void Session::tell_setup() {
-  post(Mail::setup, setup_json({options_.simulation.plant, walk_->path(), race_}, scene_));
+  SceneSetup setup{options_.simulation.plant, walk_->path(), race_, {}};
+  {
+    const std::lock_guard lock(mutex_);
+    setup.stopped_by = stopped_by_;
+  }
+  post(Mail::setup, setup_json(setup, scene_));
   changed_ = true;
 }
 
-// Everything that has arrived is obeyed before the next tick.
+// Everything that has arrived is obeyed before the next tick; an emergency stop first.
 bool Session::take_orders() {
   std::deque<Order> orders;
   {
     const std::lock_guard lock(mutex_);
     if (stop_) return false;
-    orders.swap(inbox_);
+    if (std::exchange(stop_due_, false)) orders.push_back({EmergencyStop{}, stop_tick_});
+    for (Order& order : inbox_) orders.push_back(std::move(order));
+    inbox_.clear();
     if (holder_left_) orders.push_back({Stop{}, statistics_.ticks});
     holder_left_ = false;
   }
@@ -245,6 +290,25 @@ void Session::watch_holder() {
 void Session::tick() {
   each([&](SteeredWalk& walk) { walk.tick(command_); });
   if (steps_ > 0 && --steps_ == 0) changed_ = true;
+  watch_robot();
+  keep_time();
+}
+
+// A live one: that it was late, or is gone.
+void Session::watch_robot() {
+  if (!is_live()) return;
+  if (!over_ && walk_->fault() == Fault::plant_closed) {
+    over_ = changed_ = true;
+    post(Mail::notice, error_json("the robot " + options_.live->problem()));
+  }
+  if (Clock::now() - gap_told_ < kBetweenGaps) return;
+  const double gap = static_cast<LiveWalk&>(*walk_).take_gap();
+  if (gap == 0.0) return;
+  gap_told_ = Clock::now();
+  post(Mail::notice, error_json(fmt::format("no state of the robot for {:.0f} ms", 1e3 * gap)));
+}
+
+void Session::keep_time() {
   const auto now = Clock::now();
   due_ += seconds(walk_->control_dt() / options_.speed_factor);
   if (now - due_ > kMostBehind) due_ = now;  // the machine is too slow: so is the walk
@@ -252,6 +316,7 @@ void Session::tick() {
   const std::lock_guard lock(mutex_);
   ++statistics_.ticks;
   statistics_.seconds += walk_->control_dt();
+  statistics_.fault = walk_->fault();
   const double passed = std::chrono::duration<double>(now - measured_).count();
   if (passed < kMeasuring) return;
   measured_factor_ =

@@ -9,9 +9,10 @@
 #include <future>
 #include <hexagait/viewer/command.hpp>
 #include <hexagait/viewer/host.hpp>
+#include <hexagait/viewer/live_walk.hpp>
 #include <hexagait/viewer/replay_file.hpp>
 #include <hexagait/viewer/scene.hpp>
-#include <hexagait/viewer/steered_walk.hpp>
+#include <hexagait/viewer/simulated_walk.hpp>
 #include <hexagait/viewer/wheel.hpp>
 #include <memory>
 #include <mutex>
@@ -39,6 +40,9 @@ struct SessionOptions {
   std::function<path_following::PathTask(const std::string& name, const RobotModel& robot,
                                          const StepParams& step)>
       load_path;
+  /// If not null, a live robot is steered instead of a simulated one; must outlive the session.
+  PipePlant* live = nullptr;
+  double live_patience = LiveWalk::kPatience;  ///< for its first state [s]
   ReplayWriter* replay =
       nullptr;  ///< if not null, takes what clients are sent; must outlive the session
 };
@@ -46,17 +50,23 @@ struct SessionOptions {
 /// How a session has gone so far.
 struct SessionStatistics {
   std::uint64_t ticks = 0, frames = 0, commands = 0;
-  double seconds = 0.0;    ///< simulated, in all scenes [s]
-  double path = 0.0;       ///< of the present scene [m]
-  int worst_delay = 0;     ///< ticks between the arrival of a command and the one that obeyed it
-  bool fell = false;       ///< in the present scene
-  double processor = 0.0;  ///< time of the simulation's thread [s]
+  double seconds = 0.0;       ///< simulated, in all scenes [s]
+  double path = 0.0;          ///< of the present scene [m]
+  int worst_delay = 0;        ///< ticks between the arrival of a command and the one that obeyed it
+  bool fell = false;          ///< in the present scene
+  Fault fault = Fault::none;  ///< that holds the robot
+  double processor = 0.0;     ///< time of the simulation's thread [s]
 };
 
-/// A walk in real time with clients that watch and steer. Owns the thread of the simulation:
+/// A walk in real time with clients that watch and steer. Owns the thread of the walk:
 ///
 ///     client ── receive() ──▶ parse_command ─▶ wheel ─▶ inbox ──▶ thread: SteeredWalk, tick by tick
-///     client ◀─ newer_than() ── newest frame, scene, ground ◀───────────────┘
+///       │                          └──── emergency stop ─────────▶   │
+///     client ◀─ newer_than() ── newest frame, scene, ground ◀────────┘
+///
+/// Simulated time runs by the machine's clock, a live robot's by its states. An emergency stop takes effect
+/// in the next tick, first of all, whoever sends it and however much was sent before; it drops what waits
+/// in the inbox, and lasts until the holder of the wheel releases it, also in the scenes that follow.
 ///
 /// What goes out lies in a mailbox that holds the newest of each kind: a client that is slow, or
 /// reads nothing, misses frames, delays nobody, and nothing grows. All functions may be called from
@@ -90,13 +100,22 @@ class Session : public Host {
   };
 
   [[nodiscard]] std::string accept(ClientId client, Command command);
+  void press_stop(ClientId client);
   void run(std::promise<void>& started);
   void begin(const WalkStart& start);
-  [[nodiscard]] std::unique_ptr<SteeredWalk> make_rival(const WalkStart& start) const;
+  void begin_simulated(const WalkStart& start);
+  void tell_scene();
+  [[nodiscard]] bool is_live() const { return options_.live != nullptr; }
+  [[nodiscard]] std::unique_ptr<SimulatedWalk> make_rival(const WalkStart& start) const;
   // Of each robot that walks.
   template <class Act>
   void each(Act act) {
     act(*walk_);
+    if (rival_ != nullptr) act(*rival_);
+  }
+  template <class Act>
+  void each_simulated(Act act) {
+    if (simulated_ != nullptr) act(*simulated_);
     if (rival_ != nullptr) act(*rival_);
   }
   [[nodiscard]] bool take_orders();
@@ -119,8 +138,13 @@ class Session : public Host {
   void obey(const Restart& restart);
   void obey(Beat) {}
   void obey(Release) { obey(Stop{}); }
+  void obey(EmergencyStop);
+  void obey(ReleaseEmergencyStop);
+  void hold_still();
   void watch_holder();
+  void watch_robot();
   void tick();
+  void keep_time();
   void publish();
   void tell_setup();
   void take_off_path();
@@ -130,7 +154,9 @@ class Session : public Host {
 
   // Of the simulation's thread alone.
   SessionOptions options_, began_;
-  std::unique_ptr<SteeredWalk> walk_, rival_;   // in worlds of their own; without a race no rival
+  std::unique_ptr<SteeredWalk> walk_;
+  SimulatedWalk* simulated_ = nullptr;          // the same; null: a live robot
+  std::unique_ptr<SimulatedWalk> rival_;        // in a world of its own; without a race none
   std::optional<gait_state::GaitChoice> race_;  // of the rival
   LegArray<int> joints_;
   heading_control::HeadingCommand command_;
@@ -139,8 +165,9 @@ class Session : public Host {
   std::uint64_t draws_ = 0;
   GroundPatch patch_;
   bool paused_ = false, silent_ = false, changed_ = true;
+  bool over_ = false;  // the robot is gone
   int steps_ = 0;
-  Clock::time_point due_, frame_due_, measured_;
+  Clock::time_point due_, frame_due_, measured_, gap_told_;
   double measured_factor_ = 1.0;
   std::uint64_t measured_ticks_ = 0;
 
@@ -150,7 +177,10 @@ class Session : public Host {
   Wheel wheel_;
   ClientId clients_ = 0;
   bool holder_left_ = false;
+  std::optional<ClientId> stopped_by_;  // an emergency stop that lasts
+  bool stop_due_ = false;               // it is to be obeyed
   std::deque<Order> inbox_;
+  std::uint64_t stop_tick_ = 0;  // ticks that had been made when it was pressed
   Mailbox mail_[kMailKinds];
   SessionStatistics statistics_;
   std::function<void()> news_;

@@ -89,7 +89,7 @@ void Session::obey(Scramble) {
 }
 
 void Session::obey(const Push& push) {
-  each([&](SteeredWalk& walk) { walk.push(push.angle); });
+  each_simulated([&](SimulatedWalk& walk) { walk.push(push.angle); });
 }
 
 void Session::obey(const ChangeGait& change) {
@@ -108,7 +108,8 @@ void Session::obey(const Race& race) {
 void Session::obey(const Break& fault) {
   recording::PlantSetup& plant = options_.simulation.plant;
   const walk::PartFault part = admitted(fault.fault, plant.parts, options_.robot);
-  if (part.kind != walk::PartFaultKind::load) each([&](SteeredWalk& walk) { walk.add(part); });
+  if (part.kind != walk::PartFaultKind::load)
+    each_simulated([&](SimulatedWalk& walk) { walk.add(part); });
   if (part.kind == walk::PartFaultKind::push) return;  // it passes
   plant.parts.push_back(part);
   if (part.kind == walk::PartFaultKind::load)
@@ -159,6 +160,35 @@ void Session::obey(const Restart& restart) {
   command_ = {began_.heading, kNoLimit};
   silent_ = false;
   begin({});
+}
+
+void Session::obey(EmergencyStop) {
+  if (walk_->path() != nullptr) each([](SteeredWalk& walk) { walk.leave_path(); });
+  command_.heading = command_.heading.stopped();
+  hold_still();
+  silent_ = false;
+  tell_setup();
+}
+
+// Of an emergency stop that lasts, also over a new scene.
+void Session::hold_still() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!stopped_by_) return;
+  }
+  each([](SteeredWalk& walk) { walk.emergency_stop(); });
+}
+
+// Of any fault after which the robot can be taken over where it stands. It stands until it is steered.
+void Session::obey(ReleaseEmergencyStop) {
+  each([](SteeredWalk& walk) { walk.go_on(); });
+  command_.heading = command_.heading.stopped();
+  silent_ = false;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!stop_due_) stopped_by_.reset();  // unless it was pressed again just now
+  }
+  tell_setup();
 }
 
 }  // namespace hexagait::viewer

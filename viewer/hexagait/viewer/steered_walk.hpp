@@ -6,46 +6,35 @@
 #include <hexagait/recording/simulation.hpp>
 #include <hexagait/viewer/followed_path.hpp>
 #include <hexagait/viewer/frame_maker.hpp>
-#include <hexagait/walk/faults.hpp>
 #include <hexagait/walk/reference_path.hpp>
 #include <memory>
 
 namespace hexagait::viewer {
 
-/// Where a walk begins, and how the feet are displaced.
-struct WalkStart {
-  PlanarPose X_WB;         ///< on any ground: each foot begins at the height of the ground there
-  double spread = 0.0;     ///< feet are displaced by up to this [m]
-  std::uint64_t draw = 0;  ///< which displacement
-};
-
-/// A robot in the simulator that is steered tick by tick: what recording::simulate() does, with a
-/// command that comes from outside and without an end. The only part of the viewer that knows
-/// walker, plant and world. It neither reads a clock nor grows: it may walk for days.
-///
-/// It belongs to the thread that made it, as its world does.
+/// A walk that is steered tick by tick: the loop of walker and plant, with a command that comes from
+/// outside and without an end. What it walks is a simulated robot (SimulatedWalk), or a live one (LiveWalk).
+/// It does not grow: it may walk for days. It belongs to the thread that made it.
 class SteeredWalk {
  public:
-  /// Stands in place, settled.
-  /// @param simulation  its trial's schedule and random posture are not used
-  /// @throws InvalidInput  as sim3d::World and Walker
-  SteeredWalk(const RobotModel& robot, const recording::Simulation& simulation,
-              const WalkStart& start = {});
+  virtual ~SteeredWalk() = default;
   SteeredWalk(const SteeredWalk&) = delete;
   SteeredWalk& operator=(const SteeredWalk&) = delete;
 
-  /// One control period. Once the robot has fallen, or a fault has stopped it, it only lies there. While
-  /// it follows a path, of the command only the speed limit counts.
+  /// One control period: targets for the present measurement, then the next measurement. Of a live robot
+  /// this waits for it. Once a fault has stopped the robot its joints are held. While it follows a path, of
+  /// the command only the speed limit counts.
   void tick(const heading_control::HeadingCommand& command);
 
-  /// Pushes the body for 1.1 √(h/g), so that a free body of the robot's mass would get 0.85 √(g h), with
-  /// the height h of the robot's body over its feet.
-  /// @param angle  from the body's x [rad]
-  void push(double angle);
+  /// From the next tick on the set points of all joints are held, until go_on().
+  void emergency_stop();
 
-  /// Something breaks, from the next tick on.
-  /// @param fault  resolved(), and no load
-  void add(walk::PartFault fault) { broken_.add(std::move(fault)); }
+  /// After an emergency stop or another fault: takes the robot over where it stands.
+  /// @throws InvalidInput  if it can't be: the robot has fallen, or tells nothing valid
+  void go_on();
+
+  /// Why it does not walk; it may have fallen besides.
+  [[nodiscard]] Fault fault() const { return walker_.record().fault; }
+  [[nodiscard]] virtual bool fell() const { return false; }
 
   /// From the next tick on, until it arrives, is interrupted, or leaves the path.
   /// @param X_WP  of the path's frame in the world
@@ -55,18 +44,17 @@ class SteeredWalk {
   /// Of which a path's look-ahead is made.
   [[nodiscard]] const StepParams& step() const { return walker_.params().step; }
 
-  void set_gait(const gait_state::StepperParams& stepper);
+  void set_gait(const gait_state::StepperParams& stepper) { walker_.set_stepping(stepper); }
 
   /// What is seen now. scene, holder, flags of the session and speed_factor are not set.
   [[nodiscard]] PoseFrame frame() const;
 
-  /// True pose in the plane.
-  [[nodiscard]] PlanarPose place() const;
-  [[nodiscard]] bool fell() const { return fell_; }
-  [[nodiscard]] double control_dt() const { return simulation_.control_dt; }
+  /// Pose in the plane.
+  [[nodiscard]] PlanarPose place() const { return in_plane(truth().X_WB); }
+  [[nodiscard]] double control_dt() const { return walker_.params().control_dt; }
   [[nodiscard]] const RobotModel& robot() const { return robot_; }
-  [[nodiscard]] const recording::Simulation& simulation() const { return simulation_; }
-  [[nodiscard]] const sim3d::Terrain& terrain() const { return world_.terrain(); }
+  /// The ground that is drawn.
+  [[nodiscard]] virtual const sim3d::Terrain& terrain() const = 0;
   /// A twist as a command for this robot.
   [[nodiscard]] heading_control::HeadingCommand command_of(
       const PlanarTwist& twist, const heading_control::Heading& last) const;
@@ -74,32 +62,46 @@ class SteeredWalk {
   /// The last targets: for tests.
   [[nodiscard]] const JointTargets& targets() const { return walker_.record().targets; }
 
+ protected:
+  /// @throws InvalidInput  as Walker
+  SteeredWalk(const RobotModel& robot, const recording::Simulation& simulation);
+
+  /// Takes the robot over where it was last measured. @throws InvalidInput  as Walker::start()
+  void take_over();
+
+  /// The loop's ends: as of a Plant.
+  virtual PlantStatus read(Measurement& measurement) = 0;
+  virtual void write(const JointTargets& targets) = 0;
+  /// Robot and feet in the world: of the simulator, or as the controller believes.
+  [[nodiscard]] virtual const GroundTruth& truth() const = 0;
+  /// The controller has taken the robot over: its odometry begins anew.
+  virtual void begin_odometry() {}
+  /// After each exchange: what is seen of it, by frames().observe().
+  virtual void observe() = 0;
+
+  [[nodiscard]] FrameMaker& frames() { return frames_; }
+  [[nodiscard]] const footstep_gen::Walker& walker() const { return walker_; }
+  [[nodiscard]] const Measurement& measurement() const { return measurement_; }
+  [[nodiscard]] PlantStatus status() const { return status_; }
+
+  /// Targets out, the next measurement in.
+  void exchange(const heading_control::HeadingCommand& command);
+  /// The next measurement, without targets.
+  void listen() { status_ = read(measurement_); }
+
  private:
-  void settle();
-  void observe();
   void judge();
 
   RobotModel robot_;
-  recording::Simulation simulation_;
-  sim3d::World world_;
-  walk::PartFaultPlant broken_;
-  walk::FaultyPlant plant_;
   footstep_gen::Walker walker_;
   Measurement measurement_;
-  PlantStatus status_ = PlantStatus::fresh;
+  PlantStatus status_ = PlantStatus::late;
 
-  double falling_speed_;  // √(g h) [m/s]
   FrameMaker frames_;
   std::unique_ptr<FollowedPath> followed_path_;
   walk::ReferencePath path_;
   double lateral_ = 0.0;  // [m]
   heading_control::Heading followed_ = heading_control::Heading::stop();
-  bool fell_ = false;
 };
-
-/// Joint positions of a level body over uneven ground, each foot at the height of the ground below
-/// it, as far as it reaches.
-[[nodiscard]] LegArray<LegJoints> posture_on(const sim3d::Terrain& terrain, const RobotModel& robot,
-                                             const WalkStart& start);
 
 }  // namespace hexagait::viewer

@@ -32,6 +32,7 @@ const kKept = 60;      // of a walk that goes on, to look back at [s]
 class App {
   constructor() {
     this.link = new Link();
+    this.stopped = null;  // client of the emergency stop that lasts
     this.world = new World($("world"));
     this.steering = new Steering((command) => { this.away = false; this.timeline?.toNow(); this.link.send(command); });
     this.panels = new Panels(this.link, this.steering);
@@ -64,9 +65,15 @@ class App {
     link.on("rival", (bytes) => { tape.rival = bytes; });
     link.on("frame", (bytes) => { if (tape.add(bytes)) this.player.grown(); });
     link.on("error", ({ what }) => this.panels.notice(what));
-    link.on("closed", () => this.panels.showState("not connected", "bad"));
+    link.on("closed", () => { this.panels.showState("not connected", "bad"); this.panels.showStop(this.stopped); });
+    link.on("setup", (setup) => {
+      this.stopped = setup.estop ?? null;
+      if (this.stopped !== null) this.steering.forget();
+      this.panels.showStop(this.stopped);
+    });
     link.on("replay", (bytes) => { link.end(); this.play(bytes); });
     this.watch(tape, {
+      keepsOn: () => Boolean(tape.scene?.live),
       paused: () => link.frame?.paused ?? false,
       pause: (on) => { if (link.mayHold) link.send({ type: "pause", on }); return link.mayHold; },
       step: () => link.send({ type: "step", ticks: 1 }),
@@ -302,6 +309,7 @@ class App {
     if ($("countdown").textContent !== left) $("countdown").textContent = left;
     for (const strip of this.strips) strip.draw(this.colours);
     this.panels.showFrame(frame, this.world);
+    if (this.timeline.live) this.panels.showStop(this.stopped);
     this.panels.showRace(frame, this.rival, this.setup?.race);
     this.timeline.show(frame);
   }

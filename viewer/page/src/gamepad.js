@@ -7,7 +7,7 @@ import { curvatureOf, kStop } from "./steering.js";
 
 const kDead = 0.18;     // of a stick's way, about its middle
 const kPause = 60;      // between two commands of a stick [ms]
-const kButtons = { 0: "go", 1: "stop", 2: "push", 4: "spin-left", 5: "spin-right", 9: "pause", 14: "back", 15: "step" };
+const kButtons = { 0: "go", 1: "stop", 2: "push", 4: "spin-left", 5: "spin-right", 8: "estop", 9: "pause", 14: "back", 15: "step" };
 
 /** Where a stick of a pad is: nothing about its middle, then from 0 to 1. */
 export function stick([x, y]) {

@@ -3,7 +3,7 @@
 //
 // Buttons, choices, keys, and the words about what is going on.
 import { Faults } from "./faults.js";
-import { kFaults } from "./frame.js";
+import { kEmergencyStop, kFaults } from "./frame.js";
 
 const $ = (id) => document.getElementById(id);
 const kTypeWords = {
@@ -28,6 +28,7 @@ export class Panels {
       "gait-free": () => this.gait("free"), "gait-tripod": () => this.gait("tripod"), "gait-wave": () => this.gait("wave"),
       "hide-hints": () => $("hints").classList.add("away"),
       race: () => this.race(),
+      estop: () => this.stopAll(), "release-estop": send({ type: "release_estop" }),
       more: () => $("more").setAttribute("aria-expanded", document.body.classList.toggle("more")),
     };
     for (const [id, act] of Object.entries(acts)) $(id).addEventListener("click", act);
@@ -43,6 +44,24 @@ export class Panels {
       if (this.frame?.wave) this.gait("wave");
     });
     addEventListener("keydown", (event) => this.key(event));
+  }
+
+  /** Whoever this page is: not only for who steers. */
+  stopAll() {
+    this.steering.forget();
+    if (this.link.open) this.link.send({ type: "estop" });
+    else this.notice("Not connected: the stop was not sent. Use the robot's own switch.");
+  }
+
+  /** @param by  client of the emergency stop that lasts; null: none does */
+  showStop(by) {
+    const { link } = this, stopped = by !== null, who = by === link.you && stopped ? "by this page" : by ? `by page ${by}` : "";
+    const may = link.mayHold, words = `${who}; ${may ? "it stands still until you release it" : "who holds the wheel can release it"}`;
+    if (stopped && $("stopped-by").textContent !== words) $("stopped-by").textContent = words;
+    if ($("stopped").hidden === stopped) $("stopped").hidden = !stopped;
+    $("release-estop").disabled = !may;
+    if ($("estop").getAttribute("aria-pressed") !== String(stopped)) $("estop").setAttribute("aria-pressed", String(stopped));
+    $("estop").classList.toggle("off", !link.open);
   }
 
   gait(kind) { this.link.send({ type: "gait", gait: kind === "wave" ? `wave:${$("duty").value}` : kind }); }
@@ -66,6 +85,11 @@ export class Panels {
   }
 
   key(event) {
+    if (event.key === "Escape" && this.timeline?.live) {  // wherever the focus is, whatever else is pressed
+      event.preventDefault();
+      document.activeElement.blur();
+      return this.stopAll();
+    }
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     if (event.target.matches("input:not([type=range]), select") && event.key !== "Escape") return;
     if (event.target.matches("button") && [" ", "Enter"].includes(event.key)) return;
@@ -78,17 +102,21 @@ export class Panels {
     };
     const ofWalk = timeline?.live ? {
       w: () => s.set(s.curvature, 0), s: () => s.set(s.curvature, 180), a: () => s.bend(1), d: () => s.bend(-1),
-      q: () => s.turn(1), e: () => s.turn(-1), x: this.acts.stop, p: this.acts.push, r: this.acts.scramble,
-      c: this.faults.acts.cut, k: this.faults.acts.dead, b: this.faults.acts.break, m: this.faults.acts.mend,
-      g: this.acts.race, n: () => this.faults.otherPlant(), Backspace: this.acts.reset, ArrowUp: () => s.go(), f: () => this.onDraw?.(),
+      q: () => s.turn(1), e: () => s.turn(-1), x: this.acts.stop, ArrowUp: () => s.go(), f: () => this.onDraw?.(),
     } : {};
-    const act = { ...ofTime, ...ofWalk }[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    const ofSimulation = timeline?.live && !this.isLive ? {
+      p: this.acts.push, r: this.acts.scramble, c: this.faults.acts.cut, k: this.faults.acts.dead, b: this.faults.acts.break,
+      m: this.faults.acts.mend, g: this.acts.race, n: () => this.faults.otherPlant(), Backspace: this.acts.reset,
+    } : {};
+    const act = { ...ofTime, ...ofWalk, ...ofSimulation }[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (!act) return;
     event.preventDefault();
     act();
   }
 
   showScene(scene) {
+    this.isLive = Boolean(scene.live);  // a live robot: what only a simulated one can do is not offered
+    document.body.classList.toggle("live", this.isLive);
     const options = (select, entries, chosen) => {
       select.replaceChildren(...entries.map((name) => new Option(name, name, false, name === chosen)));
       if (!entries.includes(chosen)) select.prepend(new Option(chosen, chosen, true, true));
@@ -105,8 +133,8 @@ export class Panels {
     this.showRoughness();
     this.faults.showScene(scene);
     const legs = scene.legs.length, joints = scene.legs[0].joints.length;
-    const where = this.timeline?.live ? "" : `${scene.robot} on ${scene.terrain}: `;
-    $("facts").textContent = `${where}${legs} legs × ${joints} joints, ${scene.mass.toFixed(1)} kg, seed ${scene.seed}`;
+    const where = this.isLive ? `LIVE ROBOT ${scene.robot}: ` : this.timeline?.live ? "" : `${scene.robot} on ${scene.terrain}: `;
+    $("facts").textContent = `${where}${legs} legs × ${joints} joints, ${scene.mass.toFixed(1)} kg${this.isLive ? "" : `, seed ${scene.seed}`}`;
   }
 
   showRoughness() { $("roughness-out").textContent = `${$("roughness").value} cm`; }
@@ -126,7 +154,9 @@ export class Panels {
     if (!this.link.open) return ["not connected", "bad"];
     if (timeline.isBack) return [timeline.player.playing ? "looks back, plays" : "looks back", "held"];
     if (frame.fell) return ["fell – Backspace begins again", "bad"];
+    if (frame.fault === kEmergencyStop) return ["EMERGENCY STOP", "bad"];
     if (frame.fault) return [`stopped: ${kFaults[frame.fault]}`, "bad"];
+    if (frame.holding && this.isLive) return ["no state of the robot: holds", "bad"];
     if (frame.paused) return ["paused", "held"];
     if (frame.silent) return ["stopped: nobody at the wheel", "held"];
     const who = frame.holder === 0 ? "by itself" : this.link.holds ? "you steer" : "another page steers";

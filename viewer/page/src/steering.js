@@ -131,6 +131,9 @@ export class Steering {
 
   follow(path) { this.command({ type: "follow", ...path, ...this.limit }); }
 
+  /** After an emergency stop: nothing is repeated by itself. */
+  forget() { this.last = null; }
+
   command(command) {
     this.last = command;
     this.drive(command);

@@ -19,18 +19,20 @@ export class Timeline {
     $("live").addEventListener("click", () => this.toNow());
   }
 
+  /** Does it go on whatever the person does? A live robot does. */
+  get keepsOn() { return this.live?.keepsOn() ?? false; }
   get paused() { return this.live?.paused() ?? false; }
   get isBack() { return !this.player.follows; }
 
   /** The walk waits while the person looks back, if it may be told to. */
   hold() {
-    if (!this.live || this.isBack || this.paused) return;
+    if (!this.live || this.keepsOn || this.isBack || this.paused) return;
     this.held = this.live.pause(true);
   }
 
   changeSpeed() {
     this.player.speed = Number($("speed").value);
-    this.live?.speed(this.player.speed);
+    if (!this.keepsOn) this.live?.speed(this.player.speed);
   }
 
   /** On with the walk, from its newest frame. */
@@ -42,7 +44,7 @@ export class Timeline {
   }
 
   toggle() {
-    if (this.live && !this.isBack) { this.live.pause(!this.paused); return; }
+    if (this.live && !this.isBack) { if (!this.keepsOn) this.live.pause(!this.paused); return; }
     if (this.player.playing) this.player.pause();
     else this.player.play();
   }
@@ -52,6 +54,7 @@ export class Timeline {
     this.player.step(-1);
   }
   on() {
+    if (this.keepsOn && (!this.isBack || this.player.atEnd)) return this.toNow();
     if (this.live && !this.isBack) return this.live.step();
     if (this.live && this.player.atEnd) { this.player.follow(); return this.live.step(); }
     this.player.step(1);
@@ -88,7 +91,8 @@ export class Timeline {
     const stands = this.isBack || !this.live ? !this.player.playing : frame.paused;
     $("pause").textContent = stands ? "Play" : "Pause";
     $("pause").setAttribute("aria-pressed", String(stands && Boolean(this.live)));
-    const ticks = this.live && (!this.isBack || this.player.atEnd);
+    const ticks = this.live && !this.keepsOn && (!this.isBack || this.player.atEnd);
+    $("pause").disabled = $("step").disabled = this.keepsOn && !this.isBack;
     $("step").textContent = ticks ? "1 tick" : "→";
     $("step").setAttribute("aria-label", ticks ? "One tick on" : "One frame on");
     $("live").disabled = !this.isBack;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/urdf/urdf.hpp>
-#include <hexagait/viewer/steered_walk.hpp>
+#include <hexagait/viewer/simulated_walk.hpp>
 
 namespace hexagait::viewer {
 namespace {
@@ -27,20 +27,20 @@ recording::Simulation on(const char* terrain, std::uint64_t seed = 1) {
   return simulation;
 }
 
-void run(SteeredWalk& walk, const Heading& heading, double seconds) {
+void run(SimulatedWalk& walk, const Heading& heading, double seconds) {
   const auto ticks = std::lround(seconds / walk.control_dt());
   for (long k = 0; k < ticks; ++k) walk.tick({heading, kInfinite});
 }
 
-bool same_targets(const SteeredWalk& a, const SteeredWalk& b) {
+bool same_targets(const SimulatedWalk& a, const SimulatedWalk& b) {
   for (LegId i = 0; i < argos().num_legs(); ++i)
     if (a.targets().q[i] != b.targets().q[i]) return false;
   return true;
 }
 
 // Straight on at some 0.2 m/s for 4 s, then on an arc to the left.
-TEST(SteeredWalk, GoesWhereItIsSteered) {
-  SteeredWalk walk(argos(), on("flat"));
+TEST(SimulatedWalk, GoesWhereItIsSteered) {
+  SimulatedWalk walk(argos(), on("flat"));
   run(walk, Heading::straight(0.0), 4.0);
   EXPECT_GT(walk.place().shift.x(), 0.5);
   EXPECT_NEAR(walk.place().shift.y(), 0.0, 0.02);
@@ -51,8 +51,8 @@ TEST(SteeredWalk, GoesWhereItIsSteered) {
 
 // Two walks that were the same until now: the one that is told to stop has other targets in the
 // very tick in which it is told.
-TEST(SteeredWalk, ObeysInTheTickOfTheCommand) {
-  SteeredWalk a(argos(), on("flat")), b(argos(), on("flat"));
+TEST(SimulatedWalk, ObeysInTheTickOfTheCommand) {
+  SimulatedWalk a(argos(), on("flat")), b(argos(), on("flat"));
   run(a, Heading::straight(0.0), 1.0);
   run(b, Heading::straight(0.0), 1.0);
   ASSERT_TRUE(same_targets(a, b));
@@ -61,8 +61,8 @@ TEST(SteeredWalk, ObeysInTheTickOfTheCommand) {
   EXPECT_FALSE(same_targets(a, b));
 }
 
-TEST(SteeredWalk, FrameShowsTheTruth) {
-  SteeredWalk walk(argos(), on("boxes:0.1"));
+TEST(SimulatedWalk, FrameShowsTheTruth) {
+  SimulatedWalk walk(argos(), on("boxes:0.1"));
   run(walk, Heading::arc(2.0, 0.3), 3.0);
   const PoseFrame f = walk.frame();
   EXPECT_EQ(f.tick, 1500U);
@@ -82,18 +82,18 @@ TEST(SteeredWalk, FrameShowsTheTruth) {
   EXPECT_LT((f.centre - (walk.place().shift + 2.0 * perpendicular(way))).norm(), 1e-9);
 }
 
-TEST(SteeredWalk, ShowsNoTurningCentreWhereThereIsNone) {
-  SteeredWalk walk(argos(), on("flat"));
+TEST(SimulatedWalk, ShowsNoTurningCentreWhereThereIsNone) {
+  SimulatedWalk walk(argos(), on("flat"));
   run(walk, Heading::straight(0.0), 0.1);
   EXPECT_TRUE(walk.frame().centre.array().isNaN().all());
 }
 
 // With the legs displaced by up to 9 cm, anywhere on the ground, it stands and walks on.
-TEST(SteeredWalk, BeginsWithScrambledLegsOnRoughGround) {
+TEST(SimulatedWalk, BeginsWithScrambledLegsOnRoughGround) {
   for (std::uint64_t draw = 1; draw <= 6; ++draw) {
     const PlanarPose start{0.5 * static_cast<double>(draw),
                            {2.0, -0.3 * static_cast<double>(draw)}};
-    SteeredWalk walk(argos(), on("boxes:0.1"), {start, 0.09, draw});
+    SimulatedWalk walk(argos(), on("boxes:0.1"), {start, 0.09, draw});
     EXPECT_LT((walk.place().shift - start.shift).norm(), 0.05);
     run(walk, Heading::straight(0.0), 5.0);
     EXPECT_FALSE(walk.fell()) << draw;
@@ -101,7 +101,7 @@ TEST(SteeredWalk, BeginsWithScrambledLegsOnRoughGround) {
   }
 }
 
-TEST(SteeredWalk, BeginsWithEachFootAtTheHeightOfItsGround) {
+TEST(SimulatedWalk, BeginsWithEachFootAtTheHeightOfItsGround) {
   const sim3d::Terrain terrain(sim3d::parse_terrain("boxes:0.1"), 1);
   const WalkStart start{{0.7, {4.0, -3.0}}, 0.05, 2};
   const LegArray<LegJoints> q = posture_on(terrain, argos(), start);
@@ -115,8 +115,8 @@ TEST(SteeredWalk, BeginsWithEachFootAtTheHeightOfItsGround) {
 }
 
 // Odometry begins at 0 wherever the robot stands: a foothold that is shown in its frame is far away.
-TEST(SteeredWalk, ShowsFootholdsInTheWorld) {
-  SteeredWalk walk(argos(), on("flat"), {{2.0, {5.0, -3.0}}, 0.0, 0});
+TEST(SimulatedWalk, ShowsFootholdsInTheWorld) {
+  SimulatedWalk walk(argos(), on("flat"), {{2.0, {5.0, -3.0}}, 0.0, 0});
   int seen = 0;
   for (int k = 0; k < 20; ++k) {
     run(walk, Heading::straight(0.0), 0.1);
@@ -129,8 +129,8 @@ TEST(SteeredWalk, ShowsFootholdsInTheWorld) {
   EXPECT_GT(seen, 10);
 }
 
-TEST(SteeredWalk, PushMovesTheBody) {
-  SteeredWalk pushed(argos(), on("flat")), left(argos(), on("flat"));
+TEST(SimulatedWalk, PushMovesTheBody) {
+  SimulatedWalk pushed(argos(), on("flat")), left(argos(), on("flat"));
   pushed.push(0.5 * std::numbers::pi);
   run(pushed, Heading::stop(), 0.2);
   run(left, Heading::stop(), 0.2);
@@ -139,11 +139,11 @@ TEST(SteeredWalk, PushMovesTheBody) {
 }
 
 // 200 g with a push for 50 kg would be shot away.
-TEST(SteeredWalk, PushIsAsHardAsTheRobotIsLargeAndHeavy) {
+TEST(SimulatedWalk, PushIsAsHardAsTheRobotIsLargeAndHeavy) {
   const RobotModel mite = load_urdf(HEXAGAIT_ROBOTS "/mite.urdf");
   recording::Simulation simulation = on("flat");
   recording::complete(simulation, mite);
-  SteeredWalk walk(mite, simulation);
+  SimulatedWalk walk(mite, simulation);
   const PlanarPose before = walk.place();
   walk.push(0.5 * std::numbers::pi);
   double farthest = 0.0;
@@ -156,8 +156,8 @@ TEST(SteeredWalk, PushIsAsHardAsTheRobotIsLargeAndHeavy) {
   EXPECT_LT(farthest, 2.0 * mite.legs[0].workspace_radius);
 }
 
-TEST(SteeredWalk, ChangesItsGaitWhileItWalks) {
-  SteeredWalk walk(argos(), on("flat"));
+TEST(SimulatedWalk, ChangesItsGaitWhileItWalks) {
+  SimulatedWalk walk(argos(), on("flat"));
   run(walk, Heading::straight(0.0), 1.0);
   EXPECT_EQ(walk.frame().flags, 0);
   walk.set_gait({.stepping = gait_state::Stepping::wave, .duty_factor = 5.0 / 6.0});

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+import assert from "node:assert/strict";
+import { dirname, resolve } from "node:path";
+import { test } from "node:test";
+import { frameOf, openPage, press, until, withPage } from "./browser.mjs";
+
+// The emergency stop, and a live robot: here a simulated one, in a process of its own.
+const kEmergencyStop = 5;
+const built = resolve(dirname(process.env.HEXAGAIT), "..");
+const robot = resolve(built, "../../robots/argos.urdf");
+let browser, server, page;
+
+withPage(["--live", `${built}/examples/simulated_robot --real-time ${robot}`], (parts) => ({ browser, server, page } = parts));
+
+/** Is it in the picture, in front of everything, and large enough for a finger? */
+async function inSight(of, id) {
+  const box = await of.locator(id).boundingBox(), { width, height } = of.viewportSize();
+  assert.ok(box && box.x >= 0 && box.y >= 0 && box.x + box.width <= width && box.y + box.height <= height, JSON.stringify(box));
+  assert.ok(box.width >= 44 && box.height >= 44, JSON.stringify(box));
+  const front = await of.evaluate(([x, y]) => document.elementFromPoint(x, y)?.closest("button")?.id, [box.x + box.width / 2, box.y + box.height / 2]);
+  assert.equal(`#${front}`, id);
+}
+
+test("a live robot stands until it is steered, and what needs a simulated one is not offered", async () => {
+  assert.ok(!(await frameOf(page)).moving);
+  assert.match(await page.locator("#facts").textContent(), /^LIVE ROBOT argos/);
+  for (const id of ["faults", "robot", "terrain", "push", "scramble", "reset", "race", "speed", "strip-cost"])
+    assert.ok(await page.locator(`#${id}`).isHidden(), id);
+  assert.ok(await page.locator("#pause").isDisabled());
+  await press(page, "p");
+  await press(page, " ");
+  await page.locator("#go").click();
+  await until(page, (f) => f.moving && f.path > 0.05);
+  assert.ok(!(await frameOf(page)).paused);
+  assert.doesNotMatch(await page.locator("#notice").textContent(), /a live robot can't/);  // nothing was asked for
+});
+
+test("the red button is in sight, stops the robot, and another one releases it", async () => {
+  await inSight(page, "#estop");
+  await page.locator("#estop").click();
+  await until(page, (f, stop) => f.fault === stop, kEmergencyStop);
+  await page.locator("#stopped").waitFor();
+  await page.screenshot({ path: `${process.env.OUT}/live_stopped.png` });
+  assert.match(await page.locator("#stopped-by").textContent(), /by this page/);
+  await page.locator("#estop").click();  // again: it is no switch
+  await page.locator("#go").click();
+  await page.waitForFunction(() => /release it first/.test(document.getElementById("notice").textContent));
+  assert.equal((await frameOf(page)).fault, kEmergencyStop);
+  await page.locator("#release-estop").click();
+  await until(page, (f) => f.fault === 0 && !f.moving);
+  await page.locator("#stopped").waitFor({ state: "hidden" });
+  await page.locator("#go").click();
+  await until(page, (f) => f.moving);
+});
+
+test("a phone without the wheel stops it, in every mode; who steers releases it", async () => {
+  const phone = await openPage(browser, server.url, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  await inSight(phone, "#estop");
+  await phone.screenshot({ path: `${process.env.OUT}/phone_estop.png` });
+  await phone.locator("#more").tap();
+  await phone.evaluate(() => document.body.scrollTo(0, 400));
+  await inSight(phone, "#estop");
+  await phone.locator("#estop").tap();
+  await until(page, (f, stop) => f.fault === stop, kEmergencyStop);
+  await phone.locator("#stopped").waitFor();
+  assert.ok(await phone.locator("#release-estop").isDisabled());
+  assert.match(await page.locator("#stopped-by").textContent(), /by page \d+/);
+  assert.ok(await page.locator("#release-estop").isEnabled());
+  await page.locator("#release-estop").click();
+  await until(phone, (f) => f.fault === 0);
+  assert.deepEqual(phone.problems, []);
+  await phone.context().close();
+});
+
+test("Esc stops from inside a field, while the person looks back too", async () => {
+  await press(page, "w");
+  await until(page, (f) => f.moving);
+  await press(page, "ArrowLeft");  // the robot goes on meanwhile
+  await page.locator("#radius").focus();
+  await page.keyboard.press("Escape");
+  await page.locator("#stopped").waitFor();
+  await press(page, "End");
+  await until(page, (f, stop) => f.fault === stop, kEmergencyStop);
+  assert.deepEqual(page.problems, []);
+});
