@@ -309,7 +309,7 @@ class App {
     if ($("countdown").textContent !== left) $("countdown").textContent = left;
     for (const strip of this.strips) strip.draw(this.colours);
     this.panels.showFrame(frame, this.world);
-    if (this.timeline.live) this.panels.showStop(this.stopped);
+    if (this.timeline.live) this.panels.showStop(this.stopped, frame.fault);
     this.panels.showRace(frame, this.rival, this.setup?.race);
     this.timeline.show(frame);
   }

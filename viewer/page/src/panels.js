@@ -53,14 +53,19 @@ export class Panels {
     else this.notice("Not connected: the stop was not sent. Use the robot's own switch.");
   }
 
-  /** @param by  client of the emergency stop that lasts; null: none does */
-  showStop(by) {
-    const { link } = this, stopped = by !== null, who = by === link.you && stopped ? "by this page" : by ? `by page ${by}` : "";
+  /** @param by     client of the emergency stop that lasts; null: none does
+   *  @param fault  that holds the robot: a live one is released from it too */
+  showStop(by, fault = 0) {
+    const { link } = this, held = by === null && this.isLive ? fault : 0, stopped = by !== null || held > 0;
+    const who = held ? kFaults[held] : by === link.you && stopped ? "by this page" : by ? `by page ${by}` : "";
+    const title = held ? "STOPPED" : "EMERGENCY STOP";
+    if (stopped && $("stopped-title").textContent !== title) $("stopped-title").textContent = title;
     const may = link.mayHold, words = `${who}; ${may ? "it stands still until you release it" : "who holds the wheel can release it"}`;
     if (stopped && $("stopped-by").textContent !== words) $("stopped-by").textContent = words;
     if ($("stopped").hidden === stopped) $("stopped").hidden = !stopped;
     $("release-estop").disabled = !may;
-    if ($("estop").getAttribute("aria-pressed") !== String(stopped)) $("estop").setAttribute("aria-pressed", String(stopped));
+    const pressed = String(by !== null);
+    if ($("estop").getAttribute("aria-pressed") !== pressed) $("estop").setAttribute("aria-pressed", pressed);
     $("estop").classList.toggle("off", !link.open);
   }
 

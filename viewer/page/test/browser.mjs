@@ -15,6 +15,7 @@ export async function serve(command, ...options) {
   const [line] = await once(child.stdout, "data");
   const url = String(line).trim();
   return {
+    pid: child.pid,
     url, port: new URL(url).port,
     async stop() {
       if (child.exitCode !== null) return;

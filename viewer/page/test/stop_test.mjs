@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
 import { dirname, resolve } from "node:path";
 import { test } from "node:test";
 import { frameOf, openPage, press, until, withPage } from "./browser.mjs";
 
 // The emergency stop, and a live robot: here a simulated one, in a process of its own.
-const kEmergencyStop = 5;
+const kPlantLate = 3, kEmergencyStop = 5;
 const built = resolve(dirname(process.env.HEXAGAIT), "..");
 const robot = resolve(built, "../../robots/argos.urdf");
 let browser, server, page;
@@ -82,5 +83,21 @@ test("Esc stops from inside a field, while the person looks back too", async () 
   await page.locator("#stopped").waitFor();
   await press(page, "End");
   await until(page, (f, stop) => f.fault === stop, kEmergencyStop);
+  assert.deepEqual(page.problems, []);
+});
+
+test("a robot that was silent for long is stopped, says so, and is released by the same button", async () => {
+  await page.locator("#release-estop").click();
+  await until(page, (f) => f.fault === 0);
+  const process = execFileSync("pgrep", ["-P", String(server.pid)], { encoding: "utf8" }).trim();
+  execFileSync("kill", ["-STOP", process]);
+  await until(page, (f, late) => f.fault === late, kPlantLate);
+  await page.locator("#stopped").waitFor();
+  assert.match(await page.locator("#stopped").textContent(), /STOPPED plant late/);
+  assert.equal(await page.locator("#estop").getAttribute("aria-pressed"), "false");
+  execFileSync("kill", ["-CONT", process]);
+  await page.locator("#release-estop").click();
+  await until(page, (f) => f.fault === 0);
+  await page.locator("#stopped").waitFor({ state: "hidden" });
   assert.deepEqual(page.problems, []);
 });
