@@ -193,6 +193,18 @@ TEST(WalkerFault, GivesUpWhenThePlantIsLateForTooLongAndComesToRest) {
   }
 }
 
+// It does not wait until the robot has come to rest.
+TEST(WalkerFault, AnEmergencyStopEndsTheCoastingOfARobotThatWasLate) {
+  for (int ticks = 300; ticks < 800; ticks += 111) {
+    Walk walk;
+    walk.walk(ticks);
+    while (walk.walker.record().fault == Fault::none)
+      walk.walker.tick(PlantStatus::late, walk.plant.measurement, Heading::straight(0.0));
+    walk.walker.emergency_stop();
+    expect_stopped_for_good(walk, Fault::emergency_stop);
+  }
+}
+
 // The clocks go by the time that has passed, not by the ticks that were in time.
 TEST(WalkerFault, CountsLatePeriodsAsTime) {
   Walk walk;

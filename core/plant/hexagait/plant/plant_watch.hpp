@@ -36,9 +36,11 @@ class PlantWatch {
   [[nodiscard]] bool accepts(PlantStatus status, const Measurement& measurement,
                              const RobotModel& model, double dt, double late_limit) noexcept;
 
-  /// Sets a fault, unless there is one already.
+  /// Sets a fault, unless there is one already. An emergency stop also ends the coasting of a robot that was
+  /// late for too long.
   void stop(Fault fault) noexcept {
-    if (fault_ == Fault::none) fault_ = fault;
+    const bool coasts = fault_ == Fault::plant_late && fault == Fault::emergency_stop;
+    if (fault_ == Fault::none || coasts) fault_ = fault;
   }
 
   [[nodiscard]] Fault fault() const { return fault_; }

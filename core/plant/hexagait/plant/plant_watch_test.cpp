@@ -50,6 +50,17 @@ TEST(PlantWatch, HoldsWhileThePlantIsLateAndStopsAfterTheLimit) {
   EXPECT_FALSE(watch.accepts(PlantStatus::fresh, kGood, kSix, 0.002, 0.1)) << "for good";
 }
 
+TEST(PlantWatch, TakesAnEmergencyStopAfterItWasLate) {
+  PlantWatch watch;
+  watch.stop(Fault::plant_late);
+  EXPECT_TRUE(watch.silent());
+  watch.stop(Fault::bad_command);
+  EXPECT_EQ(watch.fault(), Fault::plant_late);
+  watch.stop(Fault::emergency_stop);
+  EXPECT_EQ(watch.fault(), Fault::emergency_stop);
+  EXPECT_FALSE(watch.silent());
+}
+
 TEST(PlantWatch, KeepsTheFirstFault) {
   PlantWatch watch;
   Measurement bad = kGood;
