@@ -5,21 +5,16 @@
 
 #include <cmath>
 #include <hexagait/text/invalid_input.hpp>
-#include <hexagait/urdf/urdf.hpp>
 #include <hexagait/viewer/simulated_walk.hpp>
+#include <testing/argos_walk.hpp>
 
 namespace hexagait::viewer {
 namespace {
 
 using heading_control::Heading;
-using testing::HasSubstr;
-
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
-const RobotModel& argos() {
-  static const RobotModel robot = load_urdf(HEXAGAIT_ROBOTS "/argos.urdf");
-  return robot;
-}
+using testing::argos;
+using ::testing::HasSubstr;
+using testing::kInfinite;
 
 path_following::PathTask drawn(std::vector<Vector2> points, bool closed = false,
                                const PlanarPose& X_WB = {}) {

@@ -163,8 +163,7 @@ void Session::obey(const Restart& restart) {
 }
 
 void Session::obey(EmergencyStop) {
-  if (walk_->path() != nullptr) each([](SteeredWalk& walk) { walk.leave_path(); });
-  command_.heading = command_.heading.stopped();
+  obey(Stop{});
   hold_still();
   silent_ = false;
   tell_setup();

@@ -7,14 +7,17 @@
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <hexagait/viewer/session.hpp>
+#include <testing/session_client.hpp>
 
 // In real time, so each test takes up to a second or two; bounds are wide, as machines are busy.
 namespace hexagait::viewer {
 namespace {
 
 using std::chrono::milliseconds;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using testing::frame_when;
+using ::testing::HasSubstr;
+using testing::held_until;
+using ::testing::IsEmpty;
 
 SessionOptions options(const char* terrain = "flat") {
   SessionOptions result;
@@ -26,31 +29,6 @@ SessionOptions options(const char* terrain = "flat") {
     return LoadedRobot{load_urdf(std::string(HEXAGAIT_ROBOTS "/") + name + ".urdf"), {}};
   };
   return result;
-}
-
-// Waits for a frame that is as wanted; the last one otherwise.
-template <class Wanted>
-PoseFrame frame_when(const Session& session, Wanted wanted) {
-  Session::Seen seen;
-  Session::Letter letter;
-  PoseFrame frame;
-  for (int k = 0; k < 500; ++k) {
-    while (session.newer_than(seen, letter))
-      if (letter.kind == Session::Mail::frame) frame = decode(letter.content);
-    if (wanted(frame)) return frame;
-    std::this_thread::sleep_for(milliseconds(10));
-  }
-  ADD_FAILURE() << "no such frame";
-  return frame;
-}
-
-// The same while the client goes on holding the wheel.
-template <class Wanted>
-PoseFrame held_until(Session& session, ClientId client, Wanted wanted) {
-  return frame_when(session, [&](const PoseFrame& f) {
-    EXPECT_THAT(session.receive(client, R"({"type":"beat"})"), IsEmpty());
-    return wanted(f);
-  });
 }
 
 PoseFrame newest(const Session& session) {

@@ -4,33 +4,18 @@
 
 #include <cmath>
 #include <hexagait/model/kinematics.hpp>
-#include <hexagait/urdf/urdf.hpp>
 #include <hexagait/viewer/simulated_walk.hpp>
+#include <testing/argos_walk.hpp>
 
 namespace hexagait::viewer {
 namespace {
 
 using heading_control::Heading;
 using heading_control::HeadingCommand;
-
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
-const RobotModel& argos() {
-  static const RobotModel robot = load_urdf(HEXAGAIT_ROBOTS "/argos.urdf");
-  return robot;
-}
-
-recording::Simulation on(const char* terrain, std::uint64_t seed = 1) {
-  recording::Simulation simulation;
-  simulation.terrain = sim3d::parse_terrain(terrain);
-  simulation.seed = seed;
-  return simulation;
-}
-
-void run(SimulatedWalk& walk, const Heading& heading, double seconds) {
-  const auto ticks = std::lround(seconds / walk.control_dt());
-  for (long k = 0; k < ticks; ++k) walk.tick({heading, kInfinite});
-}
+using testing::argos;
+using testing::kInfinite;
+using testing::on;
+using testing::run;
 
 bool same_targets(const SimulatedWalk& a, const SimulatedWalk& b) {
   for (LegId i = 0; i < argos().num_legs(); ++i)

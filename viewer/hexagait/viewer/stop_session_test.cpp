@@ -3,37 +3,21 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <hexagait/text/invalid_input.hpp>
-#include <hexagait/urdf/urdf.hpp>
 #include <hexagait/viewer/session.hpp>
+#include <testing/argos_walk.hpp>
+#include <testing/session_client.hpp>
 
 // The emergency stop of a simulated robot.
 namespace hexagait::viewer {
 namespace {
 
 using heading_control::Heading;
-using std::chrono::milliseconds;
-using testing::HasSubstr;
-using testing::IsEmpty;
-
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
-const RobotModel& argos() {
-  static const RobotModel robot = load_urdf(HEXAGAIT_ROBOTS "/argos.urdf");
-  return robot;
-}
-
-recording::Simulation on(const char* terrain) {
-  recording::Simulation simulation;
-  simulation.terrain = sim3d::parse_terrain(terrain);
-  return simulation;
-}
-
-void run(SimulatedWalk& walk, const Heading& heading, double seconds) {
-  for (long k = std::lround(seconds / walk.control_dt()); k > 0; --k)
-    walk.tick({heading, kInfinite});
-}
+using testing::argos;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::on;
+using testing::run;
 
 // Whichever legs are in the air: held, let go, standing, walking on.
 TEST(EmergencyStop, HoldsAndGoesOnInEveryPhaseOfTheStep) {
@@ -74,7 +58,7 @@ TEST(EmergencyStop, IsNotReleasedForARobotThatLies) {
   EXPECT_THROW(walk.go_on(), InvalidInput);
 }
 
-class StoppedSession : public testing::Test {
+class StoppedSession : public ::testing::Test {
  protected:
   static SessionOptions options() {
     SessionOptions result;
@@ -85,20 +69,8 @@ class StoppedSession : public testing::Test {
   }
   template <class Wanted>
   PoseFrame frame_when(Wanted wanted) {
-    Session::Seen seen;
-    Session::Letter letter;
-    PoseFrame frame;
-    for (int k = 0; k < 500; ++k) {
-      if (beats_ != 0) (void)session_.receive(beats_, R"({"type":"beat"})");
-      while (session_.newer_than(seen, letter)) {
-        if (letter.kind == Session::Mail::frame) frame = decode(letter.content);
-        if (letter.kind == Session::Mail::setup) setup_ = letter.content;
-      }
-      if (wanted(frame)) return frame;
-      std::this_thread::sleep_for(milliseconds(10));
-    }
-    ADD_FAILURE() << "no such frame";
-    return frame;
+    return beats_ != 0 ? testing::held_until(session_, beats_, wanted, &setup_)
+                       : testing::frame_when(session_, wanted, &setup_);
   }
   static bool held(const PoseFrame& f) { return f.fault == 5 && !(f.flags & PoseFrame::fell); }
 

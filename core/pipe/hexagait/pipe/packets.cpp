@@ -121,6 +121,7 @@ bool is_packet(const Received& received, std::size_t length, PacketHeader::Kind 
 std::string why_no_packet(const Received& received, std::size_t length, PacketHeader::Kind kind,
                           RobotSize size) {
   const PacketHeader& header = received.header;
+  if (received.bytes == 0) return "closed the pipe";
   if (received.bytes < sizeof header || header.magic != PacketHeader::kMagic)
     return "sent " + std::to_string(received.bytes) + " bytes" + beginning(received) +
            " that are no packet of a robot; its standard output is the pipe, so it must print to "

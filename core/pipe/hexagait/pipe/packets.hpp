@@ -82,7 +82,8 @@ struct Received {
 [[nodiscard]] bool is_packet(const Received& received, std::size_t length, PacketHeader::Kind kind,
                              RobotSize size) noexcept;
 
-/// Why it is none, in words: "sent 12 bytes, \"Hello world\", that are no packet …".
+/// Why it is none, in words: "sent 12 bytes, \"Hello world\", that are no packet …"; without any bytes
+/// "closed the pipe".
 [[nodiscard]] std::string why_no_packet(const Received& received, std::size_t length,
                                         PacketHeader::Kind kind, RobotSize size);
 

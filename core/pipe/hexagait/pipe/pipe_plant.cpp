@@ -34,7 +34,6 @@ PlantStatus PipePlant::close(const Received& received) {
 
 std::string PipePlant::problem() const {
   if (!closed_) return {};
-  if (last_.bytes == 0) return "closed the pipe";
   return why_no_packet(last_, sizeof(StatePacket), PacketHeader::state, size_);
 }
 

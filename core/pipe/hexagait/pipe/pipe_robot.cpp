@@ -24,7 +24,6 @@ PipeRobot::Heard PipeRobot::receive(double patience) noexcept {
 
 std::string PipeRobot::problem() const {
   if (!closed_) return {};
-  if (last_.bytes == 0) return "closed the pipe";
   return why_no_packet(last_, sizeof(TargetPacket), PacketHeader::targets, size_);
 }
 
