@@ -28,7 +28,8 @@ footstep_gen::TickRecord as_walk(const ActionRecord& action) {
   record.state = action.state;
   record.legs = action.legs;
   record.footsteps = LegArray<FootstepCommand>(action.legs.size());
-  for (LegId i = 0; i < action.legs.size(); ++i) record.footsteps[i] = action.legs[i].step;
+  for (FootstepCommand& step : record.footsteps)  // legs follow plans, and have no foothold
+    step.p_OT.setConstant(std::numeric_limits<double>::quiet_NaN());
   return record;
 }
 

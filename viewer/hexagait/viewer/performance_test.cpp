@@ -98,6 +98,10 @@ TEST(Performance, IsSeenWithoutALeap) {
     EXPECT_EQ(f.tick, ++ticks);
     EXPECT_LT(joint_distance(f, last), 0.05);
     EXPECT_LT((f.X_WB.p - last.X_WB.p).norm(), 0.005);
+    for (const LegFrame& leg : f.legs) {
+      if (!leg.p_WT.allFinite()) continue;
+      EXPECT_LT((leg.p_WT - leg.p_WF).norm(), 0.5);
+    }
     lifted = lifted || (walk.progress().state == State::running && !f.support.contains(1));
     last = f;
   }

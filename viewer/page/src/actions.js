@@ -88,7 +88,6 @@ export class Actions {
     this.goesOn = ["checking", "running"].includes(news.state);
     this.follows ||= this.goesOn;
     if (!this.follows) return;
-    this.name = news.name;
     const words = progressWords(news);
     if ($("action-facts").textContent !== words) $("action-facts").textContent = words;
     $("perform").textContent = this.goesOn ? "Stop it" : "Perform";

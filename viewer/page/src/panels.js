@@ -172,7 +172,7 @@ export class Panels {
     if (frame.paused) return ["paused", "held"];
     if (frame.silent) return ["stopped: nobody at the wheel", "held"];
     const who = frame.holder === 0 ? "by itself" : this.link.holds ? "you steer" : "another page steers";
-    if (this.actions.goesOn && !frame.moving) return [`performing ${this.actions.name}, ${who}`, "good"];
+    if (this.actions.goesOn && !frame.moving) return [`performing, ${who}`, "good"];
     return [frame.moving ? `walking, ${who}` : `standing, ${who}`, "good"];
   }
 

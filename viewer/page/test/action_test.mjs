@@ -37,7 +37,7 @@ test("an action of the list is performed step by step, and then the robot walks 
   await words("^paw: step [1-9] of \\d+$");
   assert.equal(await page.locator("#perform").textContent(), "Stop it");
   await until(page, (f, leg) => !f.moving && f.legs[leg].foot[2] > 0.15, kRight);
-  await page.waitForFunction(() => document.getElementById("state").textContent.startsWith("performing paw"));
+  await page.waitForFunction(() => document.getElementById("state").textContent.startsWith("performing, you steer"));
   await page.screenshot({ path: `${process.env.OUT}/action.png` });
   await words("^paw: done$", 40000);
   assert.equal(await page.locator("#perform").textContent(), "Perform");
