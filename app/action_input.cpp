@@ -6,14 +6,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <hexagait/load/load_action.hpp>
-#include <hexagait/load/load_step_goal.hpp>
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/text/nearest_word.hpp>
 #include <hexagait/text/text_file.hpp>
 #include <hexagait/text/violations.hpp>
 #include <hexagait/urdf/urdf.hpp>
-#include <hexagait/walk/action_for_robot.hpp>
+#include <hexagait/walk/action_check.hpp>
 #include <hexagait/yaml/placeholders.hpp>
 #include <hexagait/yaml/yaml_tree.hpp>
 
@@ -53,30 +51,20 @@ void check_placeholders(const std::string& text, const std::string& file,
                       known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
 }
 
-// Goals of 2015 number their steps; actions have no such key.
-bool is_step_goal(const std::string& text) {
-  return text.find("step_number:") != std::string::npos;
-}
-
 action::Action load(const std::string& file, const RobotModel& robot,
                     const std::vector<std::string>& set) {
   const std::string text = read_text(file, kMaxYamlText);
   action::ActionVocabulary vocabulary;
   vocabulary.placeholders = placeholders(set);
-  if (!is_step_goal(text)) {
+  if (!walk::is_step_goal(text))
     check_placeholders(text, file, vocabulary.placeholders);
-    const std::string name = action::written_for(text, file);
-    if (name.empty() || name == robot.name)
-      return action::parse_action(text, file, robot, vocabulary);
-    const RobotModel other = load_urdf(robot_file(name));
-    return walk::for_robot(action::parse_action(text, file, other, vocabulary), other, robot);
-  }
-  if (!set.empty())
+  else if (!set.empty())
     throw InvalidInput(
         fmt::format("--set is '{}', but {} is a step goal of 2015, which has no "
                     "placeholders",
                     set.front(), file));
-  return action::parse_step_goal(text, file, robot).action;
+  return walk::action_for(text, file, robot, vocabulary,
+                          [](const std::string& name) { return load_urdf(robot_file(name)); });
 }
 
 walk::StartKind start_kind(const std::string& start) {
@@ -123,20 +111,9 @@ ActionInput action_input(const ActionArguments& arguments) {
   return input;
 }
 
-RunnerParams ActionInput::runner() const {
-  RunnerParams result;
-  result.executor.swing = params.swing;
-  result.executor.base = params.base;
-  result.executor.virtual_model.frequency = params.spring.frequency;
-  result.executor.virtual_model.turn_frequency = params.spring.turn_frequency;
-  result.tolerance = params.tolerance;
-  result.sequencer.planner.script = params.script;
-  return result;
-}
-
 Preview preview(const ActionInput& input, const std::function<void(const ActionRecord&)>& observe) {
   PreviewParams params;
-  params.runner = input.runner();
+  params.runner = walk::runner_params(input.params);
   params.rests_on = input.start.rests_on;
   return hexagait::preview(input.robot, input.start.q, input.action, params, observe);
 }

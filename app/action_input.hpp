@@ -39,8 +39,6 @@ struct ActionInput {
   recording::PlantSetup plant;
   WholeBodyController controller = WholeBodyController::kinematic;
   RobotParams params;  ///< of the robot, complete
-
-  [[nodiscard]] RunnerParams runner() const;
 };
 
 /// Everything that the options name is there and makes sense.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <hexagait/recording/detail/walk_json.hpp>
 #include <hexagait/recording/version.hpp>
+#include <hexagait/walk/action_check.hpp>
 
 #include "words.hpp"
 
@@ -44,26 +45,6 @@ std::string margin(double metres, int step) {
   return fmt::format("stability margin at least {}, in step {}", length(metres), step);
 }
 
-const char* why(Cause cause) {
-  switch (cause) {
-    case Cause::none:
-      return "no cause";
-    case Cause::no_contact:
-      return "a foot found no ground";
-    case Cause::lost_contact:
-      return "a foot lost the ground and did not find it again";
-    case Cause::out_of_reach:
-      return "a foot or the base was to go where the legs don't reach";
-    case Cause::unstable:
-      return "the legs that would have stood don't carry the centre of mass";
-    case Cause::not_finite:
-      return "a number of a command, or of a frame's pose, is none or is absurd";
-    case Cause::plant:
-      return "the robot stopped";
-  }
-  return "?";
-}
-
 std::string leg_name(const ActionReport& report, LegId leg) {
   return leg < 0 ? "" : report.input->robot.legs[leg].name;
 }
@@ -72,7 +53,7 @@ std::string failure(const ActionReport& report) {
   const ActionResult& result = report.summary.result;
   std::string text = fmt::format("Failed in step {}", result.step);
   if (result.leg >= 0) text += ", " + leg_name(report, result.leg);
-  return text + fmt::format(": {}; ", why(result.cause));
+  return text + fmt::format(": {}; ", walk::in_words(result.cause));
 }
 
 std::string ending(const ActionReport& report) {
@@ -136,10 +117,6 @@ Json ahead_json(const Preview& ahead) {
 
 }  // namespace
 
-bool has_errors(const Preview& ahead) {
-  return num_errors(ahead) > 0 || ahead.result.outcome != Outcome::succeeded;
-}
-
 std::string findings(const ActionReport& report) {
   const std::vector<Finding>& all = report.ahead.findings;
   const auto alike = [](const Finding& a, const Finding& b) {
@@ -166,14 +143,14 @@ std::string check_verdict(const ActionReport& report) {
                   margin(ahead.least_margin, ahead.least_margin_step),
                   count(num_errors(ahead), "error"), count(num_warnings(ahead), "warning"));
   if (ahead.result.outcome == Outcome::failed)
-    text +=
-        fmt::format("; it would fail in step {}: {}", ahead.result.step, why(ahead.result.cause));
+    text += fmt::format("; it would fail in step {}: {}", ahead.result.step,
+                        walk::in_words(ahead.result.cause));
   return text + ".";
 }
 
 std::string check_json(const ActionReport& report) {
   Json json = subject(report);
-  json["ok"] = !has_errors(report.ahead);
+  json["ok"] = !walk::has_errors(report.ahead);
   json.update(ahead_json(report.ahead));
   json["version"] = recording::kVersion;
   return json.dump(2);

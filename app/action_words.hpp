@@ -17,9 +17,6 @@ struct ActionReport {
   bool interrupted = false;     ///< by the user
 };
 
-/// Would it be carried out to its end?
-[[nodiscard]] bool has_errors(const Preview& ahead);
-
 /// The first findings of every kind, a line each as compilers write them, and how many more there
 /// are: what is wrong first makes more of the same.
 [[nodiscard]] std::string findings(const ActionReport& report);

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <hexagait/walk/action_check.hpp>
+
 #include "action_words.hpp"
 #include "commands.hpp"
 #include "output.hpp"
@@ -12,7 +14,7 @@ int check_command(const ActionArguments& arguments) {
   print_out(arguments.json
                 ? check_json(report) + "\n"
                 : findings(report) + (arguments.quiet ? "" : check_verdict(report) + "\n"));
-  return has_errors(report.ahead) ? kFailed : kOk;
+  return walk::has_errors(report.ahead) ? kFailed : kOk;
 }
 
 }  // namespace hexagait::app

@@ -6,6 +6,7 @@
 #include <hexagait/recording/action_figure.hpp>
 #include <hexagait/recording/simulation.hpp>
 #include <hexagait/sim3d/world.hpp>
+#include <hexagait/walk/action_check.hpp>
 
 #include "action_words.hpp"
 #include "commands.hpp"
@@ -61,7 +62,7 @@ int preview_command(const ActionArguments& arguments) {
   print_out(arguments.json ? check_json(report) + "\n"
                            : findings(report) + check_verdict(report) + "\n");
   figure.draw(report, check_verdict(report), "Preview: ground as every foot expects it");
-  return has_errors(report.ahead) ? kFailed : kOk;
+  return walk::has_errors(report.ahead) ? kFailed : kOk;
 }
 
 // The first interrupt stops the action, so that the robot comes to a stance; the second ends all.
@@ -72,7 +73,7 @@ walk::ActionSummary simulate(const ActionInput& input, double seconds, Figure& f
   params.start_height = input.start.height;
   sim3d::World world(with_loads(input.robot, input.plant.parts), input.terrain, params,
                      input.start.q);
-  RunnerParams runner_params = input.runner();
+  RunnerParams runner_params = walk::runner_params(input.params);
   walk::PartFaultPlant broken(world, input.plant.parts, recording::body_of(world),
                               params.control_dt, 0.0, input.seed);
   walk::FaultyPlant plant(broken, input.robot, input.plant.faults, params.control_dt, input.seed);
@@ -106,7 +107,7 @@ int run_command(const ActionArguments& arguments) {
   ReplayOutput replay(arguments.record, arguments.html);
   const ActionInput input = action_input(arguments);
   ActionReport report{.input = &input, .ahead = preview(input), .summary = {}};
-  const bool refused = has_errors(report.ahead) && !arguments.force;
+  const bool refused = walk::has_errors(report.ahead) && !arguments.force;
   if (refused || !arguments.quiet) fmt::print(stderr, "{}", findings(report));
   if (refused) {
     fmt::print(stderr, "hexagait: not run: {} --force runs it all the same\n",

@@ -12,7 +12,8 @@ constexpr const char* kNotes = R"(
 The page at the address that is printed shows the robot and steers it. Keys: W S ahead, backwards;
 A D curve to the left, right; Q E crab to the left, right; X stop; Space pause; → one tick;
 ← look back, up to a minute; End back to the walk;
-P push; R scramble the legs; Backspace begin again. Esc is the emergency stop.
+P push; R scramble the legs; Backspace begin again. T perform the action that is chosen, O one of
+your own: a YAML file, which may be dropped on the page too. Esc is the emergency stop.
 
 --live steers a live robot: PROGRAM drives it, and its standard input and output are a pipe (see
 docs/porting.md). It stands until somebody steers; with --headless it walks at once. While somebody

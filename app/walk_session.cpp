@@ -7,7 +7,9 @@
 #include <hexagait/pipe/pipe_plant.hpp>
 #include <hexagait/pipe/robot_process.hpp>
 #include <hexagait/text/invalid_input.hpp>
+#include <hexagait/text/text_file.hpp>
 #include <hexagait/walk/path_file.hpp>
+#include <hexagait/yaml/yaml_tree.hpp>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -37,6 +39,10 @@ viewer::SessionOptions options(const char* command, const WalkArguments& argumen
   result.paths = known_names("paths", ".yaml");
   result.load_path = [](const std::string& name, const RobotModel& robot, const StepParams& step) {
     return walk::load_path(shared_file("path", name, "paths", ".yaml"), robot, step);
+  };
+  result.actions = known_names("actions", ".yaml");
+  result.load_action = [](const std::string& name) {
+    return read_text(shared_file("action", name, "actions", ".yaml"), kMaxYamlText);
   };
   return result;
 }

@@ -24,6 +24,9 @@ bool is_sound(const Follow& follow) {
   return follow.limit >= 0.0 && follow.points_W.size() <= kMostPathPoints &&
          follow.name.empty() == (follow.points_W.size() >= 2) && follow.name.size() <= 64;
 }
+bool is_sound(const Perform& perform) {
+  return !perform.name.empty() && perform.name.size() <= 64 && perform.yaml.size() <= kMaxAction;
+}
 bool is_sound(const SingleStep& step) { return step.ticks >= 1 && step.ticks <= 500; }
 bool is_sound(const SpeedFactor& speed) { return speed.factor >= 0.05 && speed.factor <= 10.0; }
 bool is_sound(const Push& push) { return std::abs(push.angle) < 7.0; }

@@ -21,6 +21,7 @@ using Json = nlohmann::json;
 
 constexpr double kFullTurn = 2.0 * std::numbers::pi;
 constexpr std::size_t kLongestWord = 64;
+constexpr std::string_view kActionBegins = R"({"type":"action")";
 
 // The values of a message. Refuses by InvalidInput, which parse_command() turns into an answer.
 class Message {
@@ -150,6 +151,27 @@ Command follow(const Message& m) {
   return result;
 }
 
+// The name of a text is shown, and names nothing.
+Command action(const Message& m) {
+  if (m.has("yaml") == m.has("action"))
+    throw InvalidInput("\"action\" needs one of \"action\" and \"yaml\"");
+  const char* const key = m.has("yaml") ? "name" : "action";
+  Perform result;
+  result.name = m.word(key);
+  if (result.name.empty()) m.refuse(key, "it must not be empty");
+  if (m.has("action")) {
+    m.only({"action"});
+    return result;
+  }
+  m.only({"yaml", "name"});
+  const Json& yaml = m.at("yaml");
+  if (!yaml.is_string() || yaml.get_ref<const std::string&>().empty() ||
+      yaml.get_ref<const std::string&>().size() > kMaxAction)
+    m.refuse("yaml", fmt::format("it must be a text of 1 to {} bytes", kMaxAction));
+  result.yaml = yaml.get<std::string>();
+  return result;
+}
+
 Command twist(const Message& m) {
   m.only({"vx", "vy", "wz"});
   DriveTwist result;
@@ -226,6 +248,7 @@ constexpr std::array kKinds = {
     Kind{"twist", twist},
     Kind{"stop", plain<Stop>},
     Kind{"follow", follow},
+    Kind{"action", action},
     Kind{"pause",
          [](const Message& m) -> Command {
            m.only({"on"});
@@ -314,14 +337,15 @@ struct OnlySimulated {
 
 bool is_motion(const Command& command) {
   return std::holds_alternative<Drive>(command) || std::holds_alternative<DriveTwist>(command) ||
-         std::holds_alternative<Follow>(command);
+         std::holds_alternative<Follow>(command) || std::holds_alternative<Perform>(command);
 }
 
 const char* only_simulated(const Command& command) { return std::visit(OnlySimulated(), command); }
 
 std::variant<Command, CommandError> parse_command(std::string_view text) {
-  if (text.size() > kMaxMessage)
-    return CommandError{fmt::format("the message has more than {} bytes", kMaxMessage)};
+  const std::size_t most = text.starts_with(kActionBegins) ? kMaxActionMessage : kMaxMessage;
+  if (text.size() > most)
+    return CommandError{fmt::format("the message has more than {} bytes", most)};
   if (!is_utf8(text)) return CommandError{"the message is not UTF-8"};
   const Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) return CommandError{"the message is not JSON"};

@@ -23,6 +23,8 @@
 ///     {"type":"stop"}
 ///     {"type":"follow","points":[[0,0],[2,0.5]],"closed":false}     in the world [m], 2 to 100 of them
 ///     {"type":"follow","path":"square"}                a path that comes along, from where it is
+///     {"type":"action","action":"wave"}                an action that comes along, checked and performed
+///     {"type":"action","yaml":"steps: …","name":"my.yaml"}          one of the client's own; it names no file
 ///     {"type":"pause","on":true}    {"type":"step","ticks":1}    {"type":"speed","factor":0.25}
 ///     {"type":"scramble"}           {"type":"push","angle":1.57}  direction in the body frame
 ///     {"type":"gait","gait":"wave:0.75"}               or free, tripod
@@ -38,7 +40,7 @@
 ///     {"type":"estop"}              emergency stop: from anybody, at once, however much was sent before
 ///     {"type":"release_estop"}      ends it: the robot stands until it is steered
 ///
-/// drive, spin and follow may have a "limit" of the speed [m/s of path]. An unknown key is refused, as a
+/// An action ends with stop, and with whatever makes the robot walk. drive, spin and follow may have a "limit" of the speed [m/s of path]. An unknown key is refused, as a
 /// key that is missing is.
 namespace hexagait::viewer {
 
@@ -58,6 +60,11 @@ struct Follow {
   bool closed = false;
   std::string name = {};    ///< if not empty there are no points
   double limit = kNoLimit;  ///< [m/s of path]
+};
+/// A scripted action: one by its name, of those that the server lists, or a text.
+struct Perform {
+  std::string name;  ///< with a text: what it is called, and no more
+  std::string yaml;  ///< empty: the action of that name
 };
 struct Pause {
   bool on = true;
@@ -96,11 +103,12 @@ struct Release {};
 struct EmergencyStop {};
 struct ReleaseEmergencyStop {};
 
-using Command = std::variant<Drive, DriveTwist, Stop, Follow, Pause, SingleStep, SpeedFactor,
-                             Scramble, Push, ChangeGait, Race, Break, Mend, ChangePlant, Reset,
-                             Restart, Beat, Release, EmergencyStop, ReleaseEmergencyStop>;
+using Command =
+    std::variant<Drive, DriveTwist, Stop, Follow, Perform, Pause, SingleStep, SpeedFactor, Scramble,
+                 Push, ChangeGait, Race, Break, Mend, ChangePlant, Reset, Restart, Beat, Release,
+                 EmergencyStop, ReleaseEmergencyStop>;
 
-/// Does it make the robot walk?
+/// Does it make the robot walk, or perform an action?
 [[nodiscard]] bool is_motion(const Command& command);
 
 /// What of it only a simulated robot can do, as "be pushed"; null if a live one can do it too.
@@ -111,8 +119,12 @@ struct CommandError {
   std::string what;
 };
 
-/// The longest message that is read [bytes].
+/// The longest message that is read, but for an action of the client's own [bytes].
 inline constexpr std::size_t kMaxMessage = 4096;
+/// The longest action of a client's own [bytes]; and the longest message with one, which must begin with
+/// {"type":"action": in JSON, line ends and quotation marks have two bytes.
+inline constexpr std::size_t kMaxAction = 65536;
+inline constexpr std::size_t kMaxActionMessage = 2 * kMaxAction + kMaxMessage;
 /// The most points of a path that is drawn.
 inline constexpr std::size_t kMostPathPoints = 100;
 /// The highest terrain that a page may ask for [m].

@@ -164,6 +164,36 @@ TEST(Command, RefusesPathsThatAreNone) {
   EXPECT_THAT(error_of(R"({"type":"follow","path":""})"), HasSubstr("must not be empty"));
 }
 
+TEST(Command, ReadsActions) {
+  const auto named = parsed<Perform>(R"({"type":"action","action":"wave"})");
+  EXPECT_EQ(named.name, "wave");
+  EXPECT_TRUE(named.yaml.empty());
+  const auto own = parsed<Perform>(R"({"type":"action","yaml":"steps:\n- …","name":"my.yaml"})");
+  EXPECT_EQ(own.name, "my.yaml");
+  EXPECT_EQ(own.yaml, "steps:\n- …");
+  EXPECT_TRUE(is_motion(Command(own)));
+}
+
+// One byte more than the longest; and of the longest kind of message.
+TEST(Command, RefusesActionsThatAreNone) {
+  const auto own = [](std::size_t length, char letter = 'x') {
+    return R"({"type":"action","name":"a","yaml":")" + std::string(length, letter) + "\"}";
+  };
+  EXPECT_EQ(parsed<Perform>(own(kMaxAction)).yaml.size(), kMaxAction);
+  EXPECT_THAT(error_of(own(kMaxAction + 1)), HasSubstr("a text of 1 to 65536 bytes"));
+  EXPECT_THAT(error_of(own(kMaxActionMessage)), HasSubstr("more than 135168 bytes"));
+  EXPECT_THAT(error_of(own(0)), HasSubstr("a text of 1 to 65536 bytes"));
+  EXPECT_THAT(error_of(own(20000, '\xFF')), HasSubstr("not UTF-8"));
+  EXPECT_THAT(error_of(fmt::format(" {}", own(20000))), HasSubstr("more than 4096 bytes"));
+  EXPECT_THAT(error_of(R"({"type":"action"})"), HasSubstr("one of \"action\" and \"yaml\""));
+  EXPECT_THAT(error_of(R"({"type":"action","action":"a","yaml":"b"})"), HasSubstr("one of"));
+  EXPECT_THAT(error_of(R"({"type":"action","action":""})"), HasSubstr("must not be empty"));
+  EXPECT_THAT(error_of(R"({"type":"action","action":"a","name":"b"})"), HasSubstr("no \"name\""));
+  EXPECT_THAT(error_of(R"({"type":"action","yaml":"b"})"), HasSubstr("\"name\" of \"action\": it"));
+  EXPECT_THAT(error_of(R"({"type":"action","yaml":7,"name":"b"})"), HasSubstr("a text of 1 to"));
+  EXPECT_THAT(error_of(R"({"type":"action","action":7})"), HasSubstr("a text of at most"));
+}
+
 TEST(Command, RefusesFaultsThatAreNone) {
   const auto error = [](const std::string& fault) {
     return error_of(R"({"type":"fault","fault":")" + fault + "\"}");

@@ -20,6 +20,19 @@ std::uint8_t gait_flags(gait_state::Stepping stepping) {
   return 0;
 }
 
+footstep_gen::TickRecord as_walk(const ActionRecord& action) {
+  footstep_gen::TickRecord record;
+  record.measurement = action.measurement;
+  record.fault = action.fault;
+  record.holding = action.holding;
+  record.state = action.state;
+  record.legs = action.legs;
+  record.footsteps = LegArray<FootstepCommand>(action.legs.size());
+  for (FootstepCommand& step : record.footsteps)  // legs follow plans, and have no foothold
+    step.p_OT.setConstant(std::numeric_limits<double>::quiet_NaN());
+  return record;
+}
+
 void FrameMaker::start(const GroundTruth& truth, const LegArray<LegJoints>& q) {
   truth_ = truth;
   q_ = q;

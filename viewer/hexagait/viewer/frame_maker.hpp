@@ -4,6 +4,7 @@
 
 #include <hexagait/footstep_gen/tick_record.hpp>
 #include <hexagait/gait_state/stepper.hpp>
+#include <hexagait/script/action_runner.hpp>
 #include <hexagait/sim/ground_truth.hpp>
 #include <hexagait/viewer/pose_frame.hpp>
 
@@ -11,6 +12,9 @@ namespace hexagait::viewer {
 
 /// The flags of a frame that tell the gait.
 [[nodiscard]] std::uint8_t gait_flags(gait_state::Stepping stepping);
+
+/// A tick of an action in the words of a walk: without heading and gait.
+[[nodiscard]] footstep_gen::TickRecord as_walk(const ActionRecord& action);
 
 /// Makes pose frames of what the loop of a walk knows, and keeps what needs more than one tick:
 /// velocity, way and power. The same for a walk that is steered and for one that is recorded.

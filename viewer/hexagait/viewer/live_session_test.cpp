@@ -264,6 +264,33 @@ TEST_F(LiveSession, RefusesWhatNeedsASimulatedRobot) {
   frame_when([](const PoseFrame& f) { return (f.flags & PoseFrame::wave) != 0; });
 }
 
+// The body goes down, and then up, until the emergency stop holds it in the next tick.
+TEST_F(LiveSession, PerformsAnActionAndIsHeldByAnEmergencyStop) {
+  start();
+  const ClientId client = session_->enter();
+  const auto perform = [&](const std::string& height, const std::string& until) {
+    EXPECT_THAT(
+        send(client,
+             R"({"type":"action","name":"move","yaml":"steps:\n- step:\n  - base_auto: {height: )" +
+                 height + "}\"}"),
+        IsEmpty());
+    letter_when(Host::Mail::action, [&](const std::string& news) {
+      EXPECT_THAT(send(client, R"({"type":"beat"})"), IsEmpty());
+      return news.find(until) != std::string::npos;
+    });
+  };
+  const auto foot = [&] { return foot_position(model_.legs[0], robot_.state.q[0]).z(); };
+  perform("0.2", R"("state":"done")");
+  EXPECT_NEAR(foot(), -0.2, 0.03);
+  perform("0.22", R"("state":"running","step":1)");
+  robot_.live(0.2);
+  EXPECT_GT(robot_.speed(), 0.01);
+  EXPECT_THAT(send(client, kStop), IsEmpty());
+  ASSERT_TRUE(robot_.live());
+  EXPECT_TRUE(robot_.stopped());
+  EXPECT_EQ(robot_.speed(), 0.0);
+}
+
 TEST_F(LiveSession, TellsThatStatesWereLate) {
   start();
   robot_.live(0.05);

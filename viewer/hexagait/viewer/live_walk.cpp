@@ -59,7 +59,7 @@ void LiveWalk::write(const JointTargets& targets) {
 
 // Where the robot was last seen it is seen again.
 void LiveWalk::begin_odometry() {
-  X_WO_ = in_plane(seen_.X_WB) * in_plane(walker().record().state.X_OB).inverse();
+  X_WO_ = in_plane(seen_.X_WB) * in_plane(state().X_OB).inverse();
   see();
 }
 
@@ -69,13 +69,12 @@ void LiveWalk::observe() {
 }
 
 void LiveWalk::see() {
-  const RobotState& state = walker().record().state;
   seen_.time = measurement().time;
-  seen_.X_WB = in_space(X_WO_) * state.X_OB;
+  seen_.X_WB = in_space(X_WO_) * state().X_OB;
   if (!valid(measurement(), robot())) return;
   for (LegId i = 0; i < robot().num_legs(); ++i) {
     seen_.feet[i].p_WF = seen_.X_WB * foot_position(robot().legs[i], measurement().q[i]);
-    seen_.feet[i].in_contact = state.contact[i];
+    seen_.feet[i].in_contact = state().contact[i];
   }
 }
 

@@ -136,6 +136,7 @@ std::string scene_json(const RobotModel& robot, const sim3d::Terrain& terrain, s
                       {"legs", legs},
                       {"robots", choices.robots},
                       {"paths", choices.paths},
+                      {"actions", choices.actions},
                       {"live", choices.live},
                       {"terrains", choices.live ? Json::array() : terrains()},
                       {"faults", choices.live ? Json::array() : faults(robot)},
@@ -185,6 +186,25 @@ std::string setup_json(const SceneSetup& setup, std::uint32_t scene) {
                   {"path", way},
                   {"race", setup.race ? Json(to_string(*setup.race)) : Json()},
                   {"estop", setup.stopped_by ? Json(*setup.stopped_by) : Json()}});
+}
+
+std::string action_json(const ActionNews& news) {
+  constexpr const char* kStates[] = {"none", "checking", "refused", "running",
+                                     "done", "stopped",  "failed"};
+  Json findings = Json::array();
+  for (const ActionFinding& f : news.findings)
+    findings.push_back({{"line", f.line},
+                        {"column", f.column},
+                        {"error", f.is_error},
+                        {"text", f.text},
+                        {"source", f.source}});
+  return text_of({{"type", "action"},
+                  {"name", news.name},
+                  {"state", kStates[static_cast<int>(news.state)]},
+                  {"step", news.step},
+                  {"steps", news.steps},
+                  {"why", news.why},
+                  {"findings", findings}});
 }
 
 std::string hello_json(std::uint32_t client) {

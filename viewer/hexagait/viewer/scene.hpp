@@ -8,7 +8,9 @@
 #include <hexagait/model/robot_model.hpp>
 #include <hexagait/recording/plant_setup.hpp>
 #include <hexagait/sim3d/terrain.hpp>
+#include <hexagait/viewer/checked_action.hpp>
 #include <hexagait/viewer/followed_path.hpp>
+#include <hexagait/viewer/performance.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,12 +32,12 @@ struct GroundPatch {
 
 /// Names of what comes along, from which a page may choose.
 struct SceneChoices {
-  std::vector<std::string> robots = {}, paths = {};
+  std::vector<std::string> robots = {}, paths = {}, actions = {};
   bool live = false;  ///< a live robot: nothing of a simulated one is to choose
 };
 
 /// {"type":"scene", …}: the robot's links with their shapes, joints and feet, from which a page
-/// moves it by the joint angles of a PoseFrame alone; names of robots, paths, terrains,
+/// moves it by the joint angles of a PoseFrame alone; names of robots, paths, actions, terrains,
 /// faults and plants to choose from.
 /// @param number  that the frames of this scene carry
 [[nodiscard]] std::string scene_json(const RobotModel& robot, const sim3d::Terrain& terrain,
@@ -59,6 +61,21 @@ struct SceneSetup {
 /// "race":"tripod","estop":7}. Points are in the world [m]; without a path, a race, or an emergency stop, it
 /// is null.
 [[nodiscard]] std::string setup_json(const SceneSetup& setup, std::uint32_t scene);
+
+/// An action that was asked for.
+struct ActionNews {
+  enum class State : std::uint8_t { none, checking, refused, running, done, stopped, failed };
+  std::string name;
+  State state = State::none;
+  int step = 0, steps = 0;  ///< from 1; step 0 while running: the robot stops walking
+  std::vector<ActionFinding> findings = {};
+  std::string why = {};  ///< it was refused, was stopped or failed
+};
+
+/// {"type":"action","name":"wave","state":"running","step":2,"steps":7,"why":"","findings":[{"line":3,"column":17,
+/// "error":true,"text":"unknown key …","source":"  - base_auto: {hieght: 0.2}"},…]}. The state is checking, refused,
+/// running, done, stopped or failed; line 0 is of the whole action.
+[[nodiscard]] std::string action_json(const ActionNews& news);
 
 /// {"type":"hello","you":7}: the client's number, which frames name as the holder of the wheel.
 [[nodiscard]] std::string hello_json(std::uint32_t client);

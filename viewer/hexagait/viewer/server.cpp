@@ -236,7 +236,7 @@ class Server::Impl {
     const auto found = clients_.find(socket);
     if (found == clients_.end()) return;
     Client& client = found->second;
-    const std::size_t room = kMaxMessage + 1 - client.incoming.size();
+    const std::size_t room = kMaxActionMessage + 1 - client.incoming.size();
     client.incoming.append(part.substr(0, room));
     if (lws_remaining_packet_payload(socket) != 0 || lws_is_final_fragment(socket) == 0) return;
     answer(socket, client, host_.receive(client.id, client.incoming));

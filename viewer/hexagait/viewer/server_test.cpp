@@ -216,6 +216,13 @@ TEST_F(Served, AnswersNonsenseByAnErrorAndGoesOn) {
   EXPECT_THAT(socket.text_with("error"), HasSubstr("not UTF-8"));
   socket.send_text(std::string(20000, ' '));
   EXPECT_THAT(socket.text_with("error"), HasSubstr("more than 4096 bytes"));
+  const std::string action = R"({"type":"action","name":"a","yaml":")";
+  socket.send_text(action + std::string(60000, 'x') + "\"}");  // of allowed length, and no action
+  EXPECT_THAT(socket.text_with("refused"), HasSubstr(R"("name":"a")"));
+  socket.send_text(action, 0x01);
+  for (int k = 0; k < 4; ++k) socket.send_text(std::string(50000, 'x'), 0x00);
+  socket.send_text("\"}", 0x80);
+  EXPECT_THAT(socket.text_with("error"), HasSubstr("more than 135168 bytes"));
   socket.send_text(R"({"type":"st)", 0x01);  // in two fragments
   socket.send_text(R"(op"})", 0x80);
   for (int k = 0; k < 200; ++k) {

@@ -73,6 +73,7 @@ Session::~Session() {
   }
   wake_.notify_all();
   thread_.join();
+  action_dropped_ = true;
 }
 
 void Session::on_news(std::function<void()> news) {
@@ -129,6 +130,11 @@ std::string Session::accept(ClientId client, Command command) {
       std::ranges::find(began_.paths, follow->name) == began_.paths.end())
     return error_json(fmt::format("there is no path \"{}\"", follow->name));
 
+  if (const auto* perform = std::get_if<Perform>(&command);
+      perform != nullptr && perform->yaml.empty() &&
+      std::ranges::find(began_.actions, perform->name) == began_.actions.end())
+    return error_json(fmt::format("there is no action \"{}\"", perform->name));
+
   const std::lock_guard lock(mutex_);
   if (std::holds_alternative<Beat>(command)) return {};
   if (std::holds_alternative<Release>(command) && wheel_.holder() != client) return {};
@@ -180,6 +186,7 @@ void Session::run(std::promise<void>& started) {
   started.set_value();
   while (take_orders()) {
     watch_holder();
+    watch_action();
     const bool waits = over_ || (paused_ && steps_ == 0);
     if (waits && changed_) publish();
     if (waits || (!is_live() && Clock::now() < due_)) {
@@ -193,6 +200,7 @@ void Session::run(std::promise<void>& started) {
 }
 
 void Session::begin(const WalkStart& start) {
+  drop_action("the robot was put down anew");
   if (is_live())
     walk_ = std::make_unique<LiveWalk>(options_.robot, options_.simulation, *options_.live,
                                        options_.live_patience);
@@ -220,7 +228,7 @@ void Session::tell_scene() {
   ++scene_;
   post(Mail::scene,
        scene_json(options_.robot, walk_->terrain(), options_.simulation.seed, walk_->control_dt(),
-                  scene_, {options_.robots, options_.paths, is_live()}));
+                  scene_, {options_.robots, options_.paths, options_.actions, is_live()}));
   patch_ = GroundPatch::around(walk_->terrain(), walk_->place().shift);
   post(Mail::ground, ground_json(walk_->terrain(), patch_, scene_));
 }
@@ -277,11 +285,15 @@ void Session::obey(const Order& order) {
 }
 
 void Session::watch_holder() {
-  const std::lock_guard lock(mutex_);
-  if (silent_ || !wheel_.is_silent(Clock::now())) return;
+  if (silent_) return;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!wheel_.is_silent(Clock::now())) return;
+  }
   silent_ = true;
   changed_ = true;
   command_.heading = command_.heading.stopped();
+  stop_action();
   each([](SteeredWalk& walk) {
     if (walk.path() != nullptr) walk.path()->interrupt();
   });

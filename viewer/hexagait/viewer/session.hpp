@@ -35,11 +35,14 @@ struct SessionOptions {
   double speed_factor = 1.0;        ///< simulated seconds per second
   double frame_rate = 60.0;         ///< pose frames per second, at most [1/s]
   std::vector<std::string> robots;  ///< names that a client may ask for, besides that of `robot`
-  std::function<LoadedRobot(const std::string& name)> load;  ///< of these names
-  std::vector<std::string> paths;                            ///< the same of paths to follow
+  /// Of these names; from any thread.
+  std::function<LoadedRobot(const std::string& name)> load;
+  std::vector<std::string> paths;  ///< the same of paths to follow
   std::function<path_following::PathTask(const std::string& name, const RobotModel& robot,
                                          const StepParams& step)>
       load_path;
+  std::vector<std::string> actions;  ///< the same of actions to perform
+  std::function<std::string(const std::string& name)> load_action;  ///< their text
   /// If not null, a live robot is steered instead of a simulated one; must outlive the session.
   PipePlant* live = nullptr;
   double live_patience = LiveWalk::kPatience;  ///< for its first state [s]
@@ -63,6 +66,8 @@ struct SessionStatistics {
 ///     client ── receive() ──▶ parse_command ─▶ wheel ─▶ inbox ──▶ thread: SteeredWalk, tick by tick
 ///       │                          └──── emergency stop ─────────▶   │
 ///     client ◀─ newer_than() ── newest frame, scene, ground ◀────────┘
+///
+/// An action is checked in a thread of its own, one at a time, while the robot walks on.
 ///
 /// Simulated time runs by the machine's clock, a live robot's by its states. An emergency stop takes effect
 /// in the next tick, first of all, whoever sends it and however much was sent before; it drops what waits
@@ -124,6 +129,7 @@ class Session : public Host {
   void obey(const DriveTwist& drive);
   void obey(Stop);
   void obey(const Follow& follow);
+  void obey(const Perform& perform);
   void obey(const Pause& pause);
   void obey(const SingleStep& step);
   void obey(const SpeedFactor& speed);
@@ -146,6 +152,13 @@ class Session : public Host {
   void tick();
   void keep_time();
   void publish();
+  void watch_action();
+  void begin_action(CheckedAction checked);
+  void follow_progress();
+  void stop_action();
+  void drop_action(const char* why);
+  void end_action(ActionNews::State state, std::string why);
+  void tell_action();
   void tell_setup();
   void take_off_path();
   void post(Mail kind, std::string content);
@@ -161,6 +174,9 @@ class Session : public Host {
   LegArray<int> joints_;
   heading_control::HeadingCommand command_;
   Follow followed_;
+  ActionNews action_;                        // the last one that was asked for
+  std::atomic<bool> action_dropped_{false};  // while it is checked
+  std::future<CheckedAction> check_;         // of it, while it is checked
   std::uint32_t scene_ = 0;
   std::uint64_t draws_ = 0;
   GroundPatch patch_;

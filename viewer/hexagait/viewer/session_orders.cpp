@@ -19,6 +19,7 @@ bool is_same_way(const Follow& a, const Follow& b) {
 }  // namespace
 
 void Session::obey(const Drive& drive) {
+  stop_action();
   command_ = {drive.heading, drive.limit};
   take_off_path();
   silent_ = false;
@@ -26,6 +27,7 @@ void Session::obey(const Drive& drive) {
 }
 
 void Session::obey(const DriveTwist& drive) {
+  stop_action();
   command_ = walk_->command_of(drive.twist, command_.heading);
   take_off_path();
   silent_ = false;
@@ -33,6 +35,7 @@ void Session::obey(const DriveTwist& drive) {
 }
 
 void Session::obey(Stop) {
+  stop_action();
   take_off_path();
   command_.heading = command_.heading.stopped();
   changed_ = true;
@@ -52,6 +55,7 @@ void Session::obey(const Follow& follow) {
     followed_ = follow;
     tell_setup();
   }
+  stop_action();
   each([](SteeredWalk& walk) { walk.path()->go_on(); });
   command_ = {command_.heading.stopped(), follow.limit};
   silent_ = false;

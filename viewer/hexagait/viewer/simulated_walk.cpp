@@ -73,7 +73,9 @@ void SimulatedWalk::settle() {
 void SimulatedWalk::observe() {
   const GroundTruth& truth = world_.truth();
   frames().observe(truth, measurement().q, world_.efforts());
-  if (!fell_ && (truth.base_touches_ground || lies(truth.X_WB) || !truth.finite)) {
+  sits_ = truth.base_touches_ground && (sits_ || performs());
+  const bool hit = truth.base_touches_ground && !sits_;
+  if (!fell_ && (hit || lies(truth.X_WB) || !truth.finite)) {
     fell_ = true;
     emergency_stop();
   }

@@ -15,7 +15,8 @@ struct WalkStart {
 };
 
 /// A steered walk of a robot in the simulator: what recording::simulate() does. The only part of the viewer
-/// that knows the world. Once the robot has fallen it only lies there.
+/// that knows the world. Once the robot has fallen it only lies there. A body that an action sets down on the
+/// ground has not fallen, nor until the walker has raised it again.
 ///
 /// It belongs to the thread that made it, as its world does.
 class SimulatedWalk : public SteeredWalk {
@@ -49,7 +50,7 @@ class SimulatedWalk : public SteeredWalk {
   walk::PartFaultPlant broken_;
   walk::FaultyPlant plant_;
   double falling_speed_;  // √(g h) [m/s]
-  bool fell_ = false;
+  bool fell_ = false, sits_ = false;
 };
 
 /// Joint positions of a level body over uneven ground, each foot at the height of the ground below

@@ -6,6 +6,7 @@
 #include <hexagait/recording/simulation.hpp>
 #include <hexagait/viewer/followed_path.hpp>
 #include <hexagait/viewer/frame_maker.hpp>
+#include <hexagait/viewer/performance.hpp>
 #include <hexagait/walk/reference_path.hpp>
 #include <memory>
 
@@ -13,6 +14,7 @@ namespace hexagait::viewer {
 
 /// A walk that is steered tick by tick: the loop of walker and plant, with a command that comes from
 /// outside and without an end. What it walks is a simulated robot (SimulatedWalk), or a live one (LiveWalk).
+/// In between it may perform scripted actions: then an ActionRunner is in the walker's place.
 /// It does not grow: it may walk for days. It belongs to the thread that made it.
 class SteeredWalk {
  public:
@@ -22,7 +24,7 @@ class SteeredWalk {
 
   /// One control period: targets for the present measurement, then the next measurement. Of a live robot
   /// this waits for it. Once a fault has stopped the robot its joints are held. While it follows a path, of
-  /// the command only the speed limit counts.
+  /// the command only the speed limit counts; while it performs an action, nothing.
   void tick(const heading_control::HeadingCommand& command);
 
   /// From the next tick on the set points of all joints are held, until go_on().
@@ -33,7 +35,9 @@ class SteeredWalk {
   void go_on();
 
   /// Why it does not walk; it may have fallen besides.
-  [[nodiscard]] Fault fault() const { return walker_.record().fault; }
+  [[nodiscard]] Fault fault() const {
+    return acts() ? performance_->record().fault : walker_.record().fault;
+  }
   [[nodiscard]] virtual bool fell() const { return false; }
 
   /// From the next tick on, until it arrives, is interrupted, or leaves the path.
@@ -43,6 +47,19 @@ class SteeredWalk {
   [[nodiscard]] FollowedPath* path() { return followed_path_.get(); }  ///< null: none
   /// Of which a path's look-ahead is made.
   [[nodiscard]] const StepParams& step() const { return walker_.params().step; }
+
+  /// From the next tick on: the robot stops, performs the action, and walks again as it is told.
+  /// @param action  checked for this robot
+  /// @throws InvalidInput  if it can't: it performs one already, is stopped by a fault, or has lost a leg
+  void perform(action::Action action);
+  /// The action that goes on, if there is one, ends with feet on the ground.
+  void stop_action() noexcept;
+  [[nodiscard]] bool performs() const { return progress_.goes_on(); }
+  /// Of the last action.
+  [[nodiscard]] const ActionProgress& progress() const { return progress_; }
+
+  /// With which it performs.
+  [[nodiscard]] const RunnerParams& runner_params() const { return runner_params_; }
 
   void set_gait(const gait_state::StepperParams& stepper) { walker_.set_stepping(stepper); }
 
@@ -60,7 +77,9 @@ class SteeredWalk {
       const PlanarTwist& twist, const heading_control::Heading& last) const;
 
   /// The last targets: for tests.
-  [[nodiscard]] const JointTargets& targets() const { return walker_.record().targets; }
+  [[nodiscard]] const JointTargets& targets() const {
+    return acts() ? performance_->record().desired.targets : walker_.record().targets;
+  }
 
  protected:
   /// @throws InvalidInput  as Walker
@@ -74,13 +93,16 @@ class SteeredWalk {
   virtual void write(const JointTargets& targets) = 0;
   /// Robot and feet in the world: of the simulator, or as the controller believes.
   [[nodiscard]] virtual const GroundTruth& truth() const = 0;
-  /// The controller has taken the robot over: its odometry begins anew.
+  /// A controller has taken the robot over: its odometry begins anew.
   virtual void begin_odometry() {}
   /// After each exchange: what is seen of it, by frames().observe().
   virtual void observe() = 0;
 
   [[nodiscard]] FrameMaker& frames() { return frames_; }
-  [[nodiscard]] const footstep_gen::Walker& walker() const { return walker_; }
+  /// As the controller that moves the robot believes.
+  [[nodiscard]] const RobotState& state() const {
+    return acts() ? performance_->record().state : walker_.record().state;
+  }
   [[nodiscard]] const Measurement& measurement() const { return measurement_; }
   [[nodiscard]] PlantStatus status() const { return status_; }
 
@@ -91,11 +113,18 @@ class SteeredWalk {
 
  private:
   void judge();
+  void tick_action();
+  void end_action();
+  /// Does the runner of an action move the robot, or hold it, in the walker's place?
+  [[nodiscard]] bool acts() const { return performance_ != nullptr && performance_->runs(); }
 
   RobotModel robot_;
   footstep_gen::Walker walker_;
   Measurement measurement_;
   PlantStatus status_ = PlantStatus::late;
+  RunnerParams runner_params_;
+  std::unique_ptr<Performance> performance_;  // null: it walks
+  ActionProgress progress_;
 
   FrameMaker frames_;
   std::unique_ptr<FollowedPath> followed_path_;

@@ -7,19 +7,6 @@ namespace {
 
 constexpr std::uint32_t kScene = 1;  // there is only one
 
-// A tick of an action in the words of a walk: without heading and gait.
-footstep_gen::TickRecord as_walk(const ActionRecord& action) {
-  footstep_gen::TickRecord record;
-  record.measurement = action.measurement;
-  record.fault = action.fault;
-  record.holding = action.holding;
-  record.state = action.state;
-  record.legs = action.legs;
-  record.footsteps = LegArray<FootstepCommand>(action.legs.size());
-  for (LegId i = 0; i < action.legs.size(); ++i) record.footsteps[i] = action.legs[i].step;
-  return record;
-}
-
 }  // namespace
 
 SceneRecorder::SceneRecorder(std::ostream& out, const RobotModel& robot, std::uint64_t seed,

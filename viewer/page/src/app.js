@@ -64,6 +64,7 @@ class App {
     link.on("setup", (setup) => { if (setup.scene === tape.scene?.scene) tape.setup = setup; });
     link.on("rival", (bytes) => { tape.rival = bytes; });
     link.on("frame", (bytes) => { if (tape.add(bytes)) this.player.grown(); });
+    link.on("action", (news) => this.panels.actions.show(news));
     link.on("error", ({ what }) => this.panels.notice(what));
     link.on("closed", () => { this.panels.showState("not connected", "bad"); this.panels.showStop(this.stopped); });
     link.on("setup", (setup) => {

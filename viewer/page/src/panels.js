@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Buttons, choices, keys, and the words about what is going on.
+import { Actions } from "./actions.js";
 import { Faults } from "./faults.js";
 import { kEmergencyStop, kFaults } from "./frame.js";
 
@@ -34,6 +35,10 @@ export class Panels {
     for (const [id, act] of Object.entries(acts)) $(id).addEventListener("click", act);
     this.acts = acts;
     this.faults = new Faults((command) => this.link.send(command), (leg) => this.onLeg?.(leg));
+    this.actions = new Actions({
+      perform: (action) => steering.perform(action), stop: () => steering.stop(), notice: (words) => this.notice(words),
+      mayDrop: () => Boolean(this.timeline?.live && this.link.open),
+    });
     $("robot").addEventListener("change", () => this.link.send({ type: "restart", robot: $("robot").value }));
     $("terrain").addEventListener("change", () => this.restart());
     $("roughness").addEventListener("change", () => this.restart());
@@ -108,6 +113,7 @@ export class Panels {
     const ofWalk = timeline?.live ? {
       w: () => s.set(s.curvature, 0), s: () => s.set(s.curvature, 180), a: () => s.bend(1), d: () => s.bend(-1),
       q: () => s.turn(1), e: () => s.turn(-1), x: this.acts.stop, ArrowUp: () => s.go(), f: () => this.onDraw?.(),
+      t: this.actions.acts.perform, o: this.actions.acts["own-action"],
     } : {};
     const ofSimulation = timeline?.live && !this.isLive ? {
       p: this.acts.push, r: this.acts.scramble, c: this.faults.acts.cut, k: this.faults.acts.dead, b: this.faults.acts.break,
@@ -137,6 +143,7 @@ export class Panels {
     $("roughness-label").hidden = !sized;
     this.showRoughness();
     this.faults.showScene(scene);
+    this.actions.showScene(scene);
     const legs = scene.legs.length, joints = scene.legs[0].joints.length;
     const where = this.isLive ? `LIVE ROBOT ${scene.robot}: ` : this.timeline?.live ? "" : `${scene.robot} on ${scene.terrain}: `;
     $("facts").textContent = `${where}${legs} legs × ${joints} joints, ${scene.mass.toFixed(1)} kg${this.isLive ? "" : `, seed ${scene.seed}`}`;
@@ -165,6 +172,7 @@ export class Panels {
     if (frame.paused) return ["paused", "held"];
     if (frame.silent) return ["stopped: nobody at the wheel", "held"];
     const who = frame.holder === 0 ? "by itself" : this.link.holds ? "you steer" : "another page steers";
+    if (this.actions.goesOn && !frame.moving) return [`performing, ${who}`, "good"];
     return [frame.moving ? `walking, ${who}` : `standing, ${who}`, "good"];
   }
 

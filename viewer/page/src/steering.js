@@ -131,6 +131,12 @@ export class Steering {
 
   follow(path) { this.command({ type: "follow", ...path, ...this.limit }); }
 
+  /** A scripted action; whatever was commanded before is not repeated after it. */
+  perform(action) {
+    this.last = { type: "stop" };
+    this.drive({ type: "action", ...action });
+  }
+
   /** After an emergency stop: nothing is repeated by itself. */
   forget() { this.last = null; }
 
