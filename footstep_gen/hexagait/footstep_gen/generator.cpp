@@ -5,9 +5,11 @@
 #include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/footstep_gen/detail/stance_from_above.hpp>
 #include <hexagait/footstep_gen/generator.hpp>
+#include <hexagait/footstep_gen/lift_gate.hpp>
 #include <hexagait/math/quintic.hpp>
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/posture/arc_optimum.hpp>
+#include <hexagait/posture/clearance.hpp>
 #include <hexagait/posture/plane_fit.hpp>
 
 namespace hexagait::footstep_gen {
@@ -32,12 +34,19 @@ class FromBody {
 constexpr double kUsableShare = 0.98;
 
 // [PC04] 4 in closed form: the zero of the gradient along the arc; for height and tilt, the plane
-// through the footprints (docs/theory.md 3 explains why not the printed gradients).
+// through the footprints (docs/theory.md 3 explains why not the printed gradients), and the clearance
+// over them. The ground is at least as high as a foot that has met an obstacle on its way. A crawling robot needs
+// its legs' reach for its sway.
 BaseGoal pose_adaptation(const BaseAutoCommand& command, const PoseAdaptationInput& in) {
-  const posture::PlaneFit plane =
-      posture::plane_fit(in.footprint_BF, in.p_BC, without(LegSet::all(in.p_BC.size()), in.lost));
+  const LegSet legs = without(LegSet::all(in.p_BC.size()), in.lost);
+  const posture::PlaneFit plane = posture::plane_fit(in.footprint_BF, in.p_BC, legs);
+  LegArray<Vector3> ground_BF = in.footprint_BF;
+  for (LegId i = 0; i < ground_BF.size(); ++i)
+    if (in.blocked.contains(i) && in.p_BF[i].z() > ground_BF[i].z()) ground_BF[i] = in.p_BF[i];
+  const double clearance =
+      must_crawl(legs.size()) ? 0.0 : posture::clearance(ground_BF, in.p_BC, plane, legs);
   const double advance = posture::arc_optimum(in.p_BF, in.p_BC, in.support, command.path).advance;
-  return {advance, plane.height, plane.roll, plane.pitch};
+  return {advance, plane.height + clearance, plane.roll, plane.pitch};
 }
 
 // Path until the foot, which moves backwards along the arc, leaves the disc about its centre [m].

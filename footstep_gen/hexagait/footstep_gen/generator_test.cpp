@@ -313,6 +313,18 @@ TEST(BaseCommand, AsksForTheBodyToBeOverItsFeet) {
   EXPECT_EQ(base.correction.w, 0.03);
 }
 
+// Of six feet on a plane one has met a wall and is above them: the body rises by half of that.
+TEST(BaseCommand, TakesTheBodyOverWhatAFootHasMet) {
+  Stance stance;
+  const BaseAutoCommand base = base_auto(stance.robot, stance.arc(Heading::straight(0.0)),
+                                         stance.executor, stance.state.X_OB, {}, {});
+  PoseAdaptationInput in = stance.executor.pose_adaptation_input(stance.state);
+  in.p_BF[1].z() += 0.14;
+  EXPECT_NEAR(base.adaptation(base, in).height, 0.0, 1e-12) << "a step as any other";
+  in.blocked.insert(1);
+  EXPECT_NEAR(base.adaptation(base, in).height, 0.07, 1e-12);
+}
+
 // Anywhere within the workspaces, on uneven ground, tilted by up to 5°.
 void place_at_random(Stance& stance, RandomSequence& random) {
   stance.state.X_OB.R *=

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/executor/check_params.hpp>
+#include <hexagait/executor/tick_motion.hpp>
 #include <hexagait/footstep_gen/detail/rear_edge.hpp>
 #include <hexagait/footstep_gen/detail/stance_from_above.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/gait_state/ring.hpp>
 #include <hexagait/math/trigonometry.hpp>
+#include <hexagait/posture/lean.hpp>
 #include <limits>
 
 namespace hexagait::footstep_gen {
@@ -17,6 +19,8 @@ namespace {
 constexpr double kCatching = 2.5;    // times of a lift, after a leg is lost
 constexpr double kPatience = 1.5;    // of a step all tries of which fail: then it is a deadlock
 constexpr double kMostToCome = 0.5;  // of half a step
+constexpr double kMostLean = 0.5;    // of the smallest workspace radius
+constexpr double kLeanRate = 3.0;    // of the rate at which the body tilts
 
 void check_stepping(Violations& violations, const gait_state::StepperParams& stepper) {
   require(violations, "duty_factor", stepper.duty_factor,
@@ -78,6 +82,7 @@ Walker::Walker(const RobotModel& model, const WalkerParams& params)
       tracker_(params_.tolerance.turn_arm),
       memory_(model.num_legs(), nominal_step_time(params_.executor.swing, params_.step)),
       stance_of_all_(nominal_stance(model)),
+      level_(stance_of_all_),
       executor_(model, params_.executor) {
   watch_.stop(Fault::not_started);
   record_.fault = watch_.fault();
@@ -109,9 +114,9 @@ void Walker::lose_leg(LegId leg) noexcept {
 // The stance for the legs that there are.
 void Walker::recentre() noexcept {
   const LegSet lost = lost_legs();
-  executor_.set_stance(
-      lost.empty() ? stance_of_all_
-                   : stance_without(lost, *model_, stance_of_all_, executor_.p_BM().head<2>()));
+  level_ = lost.empty() ? stance_of_all_
+                        : stance_without(lost, *model_, stance_of_all_, executor_.p_BM().head<2>());
+  executor_.set_stance(level_);
   record_.arc = arc_of(record_.heading);
   tracker_.follow(record_.arc.per_metre);
 }
@@ -146,11 +151,13 @@ const TickRecord& Walker::step(PlantStatus status, const Measurement& measuremen
 void Walker::start(const Measurement& measurement) {
   StateEstimator estimator(*model_, params_.sensors, params_.tolerance);
   const RobotState state = estimator.start(measurement);  // may throw, so before anything changes
-  const Stance of_all = stance_of_all_;
+  const Stance of_all = stance_of_all_, level = level_;
   const Executor executor = executor_;  // its reset() keeps the stance and the lost legs
   *this = Walker(*model_, params_);
   stance_of_all_ = of_all;
   executor_ = executor;
+  level_ = level;
+  executor_.set_stance(level_);
   record_.lost = lost_legs();
   watch_ = {};
   record_.fault = Fault::none;
@@ -226,7 +233,22 @@ void Walker::estimate() noexcept {
 
 heading_control::PathArc Walker::arc_of(const heading_control::Heading& heading) const noexcept {
   const bool two_joints = model_->legs[0].has_two_joints();
-  return path_arc(two_joints ? without_crab(heading) : heading, executor_.stance());
+  return path_arc(two_joints ? without_crab(heading) : heading, level_);
+}
+
+// The stance leans with the slope that the body is on (posture 7). A crawling robot's body sways instead; legs of two
+// joints have no room for it.
+void Walker::lean() noexcept {
+  if (crawls() || model_->legs[0].has_two_joints()) return;
+  const double most = kMostLean * *std::ranges::min_element(level_.radius);
+  const Vector2 goal =
+      posture::lean(level_.p_BC, executor_.p_BM(), record_.state.X_OB.R.row(2), most);
+  const double rate = kLeanRate * params_.executor.base.posture_rate;
+  lean_ += decay_share(rate * params_.control_dt) * (goal - lean_);
+  Stance stance = level_;
+  for (Vector3& centre : stance.p_BC) centre.head<2>() += lean_;
+  record_.arc.p_BC = stance.p_BC;
+  executor_.set_stance(stance);
 }
 
 void Walker::steer(const heading_control::Heading& asked) noexcept {
@@ -238,6 +260,7 @@ void Walker::steer(const heading_control::Heading& asked) noexcept {
     record_.rear_edge = rear_edge(record_.arc, record_.rear_edge);
     tracker_.follow(record_.arc.per_metre);
   }
+  lean();
   record_.deviation = tracker_.update(in_plane(record_.state.X_OB));
   if (model_->legs[0].has_two_joints())
     record_.deviation = heading_control::by_turning(record_.deviation, record_.arc.per_metre,

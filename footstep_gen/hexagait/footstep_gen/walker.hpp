@@ -71,7 +71,9 @@ class Walker {
   /// ticks; start() keeps it.
   /// @throws InvalidInput  if a leg can't stand so; then nothing changes
   void set_stance(const Stance& stance);
-  [[nodiscard]] const Stance& stance() const { return executor_.stance(); }  ///< recentred or not
+  [[nodiscard]] const Stance& stance() const {
+    return executor_.stance();
+  }  ///< recentred and leant
 
   /// The leg is lost: cut off, dead, or not to be used. From the next tick on it takes no part; the ring
   /// closes over it, the stance is recentred over the others (stance_without()), and the robot walks on by
@@ -118,6 +120,7 @@ class Walker {
     return record_.heading.moving() && record_.escape.phase != EscapePhase::gave_up;
   }
   void recentre() noexcept;
+  void lean() noexcept;
   [[nodiscard]] Vector2 way_for_waiting() const noexcept;
   [[nodiscard]] const Pose* path_pose() const noexcept { return crawls() ? &X_BG_ : nullptr; }
   [[nodiscard]] double share_to_come(LegId leg) const noexcept;
@@ -131,8 +134,10 @@ class Walker {
   gait_state::GaitMemory memory_;
   Deadlock deadlock_;
   LiftGate gate_;
-  Pose X_BG_;             ///< see gait_input()
-  Stance stance_of_all_;  ///< before any leg was lost
+  Pose X_BG_;                       ///< see gait_input()
+  Stance stance_of_all_;            ///< before any leg was lost
+  Stance level_;                    ///< of the legs that there are, on level ground
+  Vector2 lean_ = Vector2::Zero();  ///< of the workspace centres from there [m]
   Executor executor_;
   double speed_limit_ = std::numeric_limits<double>::infinity();  ///< along the path [m/s]
   long catches_until_ = 0;  ///< tick until which it may have to catch itself

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/heading_control/twist.hpp>
@@ -248,6 +249,22 @@ TEST(WalkerStance, ChangesBetweenTwoTicks) {
   EXPECT_NEAR(walk.walker.stance().p_BC[2].z(), argos().foot_radius + 0.06 - own, 1e-12);
   walk.walker.start(walk.plant.measurement);
   EXPECT_NEAR(walk.walker.stance().p_BC[0].z(), argos().foot_radius + 0.06 - own, 1e-12);
+}
+
+// On a slope of 0.2 the feet go back by 0.2 H in the body frame: the centre of mass stays over their middle. Down
+// again the stance is level.
+TEST(WalkerStance, LeansUphill) {
+  Walk walk(argos(), 0.0);
+  const Vector2 level = walk.walker.stance().p_BC[0].head<2>();
+  walk.plant.ground = [](const Vector2& p_O) { return 0.2 * std::clamp(p_O.x() - 0.8, 0.0, 3.0); };
+  const double height = argos().p_BM.z() - argos().legs[0].p_BC.z();
+  walk.walk(Heading::straight(0.0), 12.0);
+  EXPECT_LT(walk.plant.X_OB.R(0, 2), -0.17) << "it is not on the slope";
+  Vector2 lean = walk.walker.stance().p_BC[0].head<2>() - level;
+  EXPECT_NEAR(lean.x(), -0.2 * height, 0.2 * 0.2 * height);
+  EXPECT_NEAR(lean.y(), 0.0, 0.005);
+  walk.walker.start(walk.plant.measurement);
+  EXPECT_EQ(walk.walker.stance().p_BC[0].head<2>(), level);
 }
 
 TEST(WalkerGait, LetsNoLegStarveWhileTheRadiusSweepsThroughAllValues) {

@@ -27,6 +27,7 @@ struct PoseAdaptationInput {
   LegArray<Vector3> footprint_BF;  ///< last measured footprint of each foot, body frame [m]
   LegSet support;                  ///< legs that carry the body
   LegSet lost = {};                ///< legs that count for nothing; p_BF is at their centre
+  LegSet blocked = {};             ///< legs in the air that have met an obstacle in this step
 };
 
 /// The desired displacement of the base: the result of a pose adaptation.

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/executor/executor.hpp>
 #include <hexagait/executor/tick_motion.hpp>
 #include <limits>
@@ -283,6 +284,23 @@ void Executor::even_out_loads(const RobotState& state, double dt) noexcept {
     if (bears(i)) legs_[i].p_BF += share * (up_B.dot(off_[i]) - mean) * up_B;
 }
 
+// Would the robot fall without this leg, which has no contact where it stood?
+bool Executor::is_needed(LegId leg, const RobotState& state) const noexcept {
+  if (!params_.swing.reflexes) return false;
+  const LegLane& lane = legs_[leg];
+  const bool lost = lane.phase == LegPhase::support && lane.without_contact > 0.0;
+  if (!lost && !lane.regains) return false;
+  LegArray<Vector3> feet(legs_.size());
+  LegSet others;
+  for (LegId i = 0; i < legs_.size(); ++i) {
+    feet[i] = state.X_OB.R * state.p_BF[i];
+    others.set(i, i != leg && legs_[i].on_ground() && legs_[i].without_contact <= 0.0);
+  }
+  const SupportPolygon polygon = support_polygon(feet, others);
+  const Vector3 p_M = state.X_OB.R * p_BM();
+  return polygon.size < 3 || stability_margin(polygon, p_M.head<2>()) <= 0.0;
+}
+
 void Executor::move_legs(const RobotState& state, double dt) noexcept {
   const double unknown = kUnknownLag * params_.swing.max_speed * lag_.lag();
   for (LegId i = 0; i < legs_.size(); ++i) {
@@ -291,7 +309,7 @@ void Executor::move_legs(const RobotState& state, double dt) noexcept {
       continue;
     }
     const double error = std::max(0.0, lag_.error(i) - unknown);
-    const LegSensed sensed{state.contact[i], error, reachable_[i], off_[i]};
+    const LegSensed sensed{state.contact[i], error, reachable_[i], off_[i], is_needed(i, state)};
     const LegPhase before = legs_[i].phase;
     if (before == LegPhase::follow)
       follow(legs_[i], plans_[i], sensed, state.X_OB, dt, rate_, params_.swing);
@@ -345,13 +363,14 @@ LegArray<double> Executor::footing() const noexcept {
 
 PoseAdaptationInput Executor::pose_adaptation_input(const RobotState& state) const noexcept {
   const int n = legs_.size();
-  PoseAdaptationInput input{LegArray<Vector3>(n), LegArray<Vector3>(n), LegArray<Vector3>(n),
-                            support(), lost_};
+  PoseAdaptationInput input{
+      LegArray<Vector3>(n), LegArray<Vector3>(n), LegArray<Vector3>(n), support(), lost_, {}};
   const Pose X_BO = state.X_OB.inverse();
   for (LegId i = 0; i < n; ++i) {
     input.p_BF[i] = lost_.contains(i) ? stance_.p_BC[i] : legs_[i].p_BF;
     input.p_BC[i] = stance_.p_BC[i];
     input.footprint_BF[i] = X_BO * state.print_O[i];
+    input.blocked.set(i, legs_[i].retreats > 0 && !legs_[i].on_ground() && !lost_.contains(i));
     // A foot below its last footprint still has no ground: lower the body towards it.
     if (legs_[i].phase == LegPhase::descend)
       input.footprint_BF[i].z() = std::min(input.footprint_BF[i].z(), legs_[i].p_BF.z());

@@ -169,6 +169,7 @@ class Executor {
   void go_on(const RobotState& state, double dt) noexcept;
   void note_tracking(const RobotState& state, double dt) noexcept;
   void move_legs(const RobotState& state, double dt) noexcept;
+  [[nodiscard]] bool is_needed(LegId leg, const RobotState& state) const noexcept;
   void tuck(LegId leg, double dt) noexcept;
   void even_out_loads(const RobotState& state, double dt) noexcept;
   void stand_where_it_is(LegId leg, const RobotState& state) noexcept;

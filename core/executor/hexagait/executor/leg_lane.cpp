@@ -11,6 +11,8 @@ namespace {
 
 // The next foothold that is tried, of the way there.
 constexpr double kCloser = 0.6;
+// Of the way by which a foot is off its set point when it is blocked: it carries load.
+constexpr double kCarries = 0.1;
 // Of the search for a foothold, in times that a foot moves back in a retreat.
 constexpr double kSearchWidth = 2.0;
 
@@ -28,7 +30,7 @@ void enter(LegLane& lane, LegPhase phase) {
 // Begins a step at the present position of the foot.
 void begin_step(LegLane& lane, LegPhase phase, const Pose& X_OB) {
   enter(lane, phase);
-  lane.cleared = false;
+  lane.cleared = lane.regains = false;
   lane.retreats = lane.bounces = 0;
   lane.reach_fraction = 1.0;
   lane.beside = 0.0;
@@ -163,22 +165,24 @@ double rise_time(const LegLane& lane, const SwingParams& params) {
                   kMinimumJerkPeak * (lane.apex_z - lane.p_OL.z()) / params.max_rise);
 }
 
-void support(LegLane& lane, double dt, const Pose& X_OB, const SwingParams& params) {
+void support(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
+             const SwingParams& params) {
   const bool lost = lane.without_contact > params.lost_time;
   // What touched for an instant only was not the ground: the step goes on.
   if (!lane.believed && lost) {
     if (!params.reflexes) return enter(lane, LegPhase::search);
     // A foot that touches again and again without finding hold has none there.
-    if (++lane.bounces < params.max_bounces || gives_up(lane, params))
+    if (++lane.bounces < params.max_bounces || gives_up(lane, params) ||
+        (lane.regains && sensed.needed))
       return enter(lane, LegPhase::descend);
     lane.reach_fraction *= kCloser;
     return retreat(lane, {}, X_OB, params);
   }
 
-  ramp(lane.load, lost ? 0.0 : 1.0, dt, params.load_time);
+  ramp(lane.load, lost && !sensed.needed ? 0.0 : 1.0, dt, params.load_time);
   if (lane.without_contact > (lane.confirmed ? params.regain_time : params.lost_time)) {
     begin_step(lane, params.reflexes ? LegPhase::descend : LegPhase::search, X_OB);
-    lane.cleared = lane.lost = true;
+    lane.cleared = lane.lost = lane.regains = true;
     lane.step.p_OT = lane.p_OL;
     lane.apex_z = lane.p_OL.z() + lane.step.profile_height;
   }
@@ -238,6 +242,13 @@ Vector3 descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X
   const bool found = sensed.contact && lane.cleared;
   if (found) return land(lane, dt, params), way_O;
   const bool blocked = !sensed.reachable || sensed.tracking_error > params.blocked_error;
+  // It lost contact but not its load: its shin stands on something. It stays as it is while the robot needs it.
+  const bool carries = sensed.off.dot(Vector3(X_OB.R.row(2))) > kCarries * params.blocked_error;
+  if (lane.regains && sensed.needed && (blocked || carries)) {
+    stop_sideways(lane, dt, way_O);
+    move(lane, 2, braking_tick(lane.v_O.z(), lane.a_O.z(), dt), way_O);
+    return way_O;
+  }
   // What is in the way is not pushed: the robot would stand on its shin.
   if (blocked) {
     lane.reach_fraction *= kCloser;
@@ -384,7 +395,7 @@ void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt
   Vector3 way_O = Vector3::Zero();  // displacement over the ground in this tick
   switch (lane.phase) {
     case LegPhase::support:
-      return support(lane, dt, X_OB, params);
+      return support(lane, sensed, dt, X_OB, params);
     case LegPhase::unload:
       return unload(lane, dt, X_OB, params);
     case LegPhase::lift:
@@ -406,7 +417,8 @@ void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt
       lane.a_O.setZero();
       break;
   }
-  if (lane.phase != LegPhase::support) ramp(lane.load, 0.0, dt, params.unload_time);
+  const bool bears = lane.phase == LegPhase::support || (lane.regains && sensed.needed);
+  if (!bears) ramp(lane.load, 0.0, dt, params.unload_time);
   lane.p_BF += X_OB.R.transpose() * way_O;
 }
 

@@ -54,6 +54,7 @@ struct LegLane {
   double beside = 0.0;               ///< to the left of that way [m]: the foothold is searched for
   bool touched_down = false;         ///< counts as support from this tick on
   bool lifted = false;               ///< left support in this tick
+  bool regains = false;              ///< descends because it lost contact in support
 
   // For legs that follow a plan:
   LegPhase after_unload = LegPhase::lift;
@@ -86,6 +87,7 @@ struct LegSensed {
   double tracking_error = 0.0;    ///< distance from where a drive with lag has its foot [m]
   bool reachable = true;          ///< the last set point was within the leg's reach
   Vector3 off = Vector3::Zero();  ///< from the set point to the measured foot, body frame [m]
+  bool needed = false;  ///< without this leg the centre of mass is not over the feet that stand
 };
 
 /// Counts how long contact lasts or is missing, from its first sample on. So a foot counts as

@@ -192,5 +192,57 @@ TEST(Coasting, ChangesNoVelocityFasterThanTheBrakeAndEndsAtRest) {
   }
 }
 
+/// A leg that stands on its shin: no contact, and its foot is held `up` above its set point.
+struct Leaning {
+  SwingParams params = testing::round_params().swing;
+  LegLane lane;
+  bool needed = true;
+  double up = 0.0;              // [m]
+  double tracking_error = 0.0;  // [m]
+
+  Leaning() { lane.time = 1.0; }
+  void tick(double seconds) {
+    constexpr double kDt = 0.002;
+    for (int k = 0; k * kDt < seconds; ++k) {
+      sense(lane, false, kDt, params);
+      advance(lane, {.tracking_error = tracking_error, .off = {0.0, 0.0, up}, .needed = needed}, {},
+              kDt, params);
+    }
+  }
+};
+
+// [PC04] says nothing of shins. A robot that would fall without the leg keeps its load on it.
+TEST(LostContact, KeepsTheLoadOfALegThatTheRobotNeeds) {
+  Leaning leg, other;
+  other.needed = false;
+  leg.up = other.up = 0.5 * leg.params.blocked_error;
+  for (Leaning* one : {&leg, &other}) one->tick(1.2 * one->params.regain_time);
+  EXPECT_EQ(leg.lane.load, 1.0);
+  EXPECT_EQ(other.lane.load, 0.0);
+  leg.tick(0.5);
+  EXPECT_EQ(leg.lane.phase, LegPhase::descend);
+  EXPECT_EQ(leg.lane.load, 1.0);
+  EXPECT_GT(leg.lane.p_BF.z(), -0.2 * leg.params.blocked_error) << "it pushes";
+}
+
+// A foot without load goes down to find the ground, whoever needs it.
+TEST(LostContact, GoesDownWhereNothingCarries) {
+  Leaning leg;
+  leg.tick(0.5);
+  EXPECT_EQ(leg.lane.phase, LegPhase::descend);
+  EXPECT_LT(leg.lane.p_BF.z(), -0.03);
+}
+
+// Held up and blocked, it would retreat, and the robot fall over it; it may once others carry the robot.
+TEST(LostContact, DoesNotRetreatWhileTheRobotNeedsTheLeg) {
+  Leaning leg;
+  leg.tracking_error = 2.0 * leg.params.blocked_error;
+  leg.tick(0.5);
+  EXPECT_EQ(leg.lane.retreats, 0);
+  leg.needed = false;
+  leg.tick(0.1);
+  EXPECT_EQ(leg.lane.retreats, 1);
+}
+
 }  // namespace
 }  // namespace hexagait
