@@ -232,6 +232,11 @@ double usual_speed(const RobotScale& scale) {
 
 double time_limit(const std::string& text) { return number("--seconds", text, kSeconds); }
 
+double late_limit(const std::string& text) {
+  constexpr Range kLateLimit = {0.01, 10.0, Dimension::time, "a time of 10ms to 10s, in seconds"};
+  return number("--late-limit", text, kLateLimit);
+}
+
 std::uint64_t seed(const std::string& text) {
   if (const auto value = parse_number<std::uint64_t>(text)) return *value;
   throw InvalidInput(fmt::format("--seed is '{}'; it must be a whole number of 0 or more", text));

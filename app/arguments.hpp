@@ -56,6 +56,9 @@ inline constexpr const char* kGenghis = "genghis2d";
 /// What --seconds says [s]. @throws InvalidInput
 [[nodiscard]] double time_limit(const std::string& text);
 
+/// What --late-limit says [s]. @throws InvalidInput
+[[nodiscard]] double late_limit(const std::string& text);
+
 /// A whole number of 0 or more. @throws InvalidInput
 [[nodiscard]] std::uint64_t seed(const std::string& text);
 

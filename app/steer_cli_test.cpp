@@ -54,7 +54,7 @@ class Live : public Steer {
 };
 
 TEST_F(Live, WalksWithoutAPage) {
-  const Result result = run(with(robot_, "--headless --seconds 3 --json"));
+  const Result result = run(with(robot_, "--headless --seconds 3 --json --late-limit 3s"));
   EXPECT_EQ(result.status, 0) << result.err;
   const auto json = nlohmann::json::parse(result.out);
   EXPECT_GT(json["path_m"].get<double>(), 0.03);
@@ -92,6 +92,8 @@ TEST_F(Live, SaysWhatCantBeStarted) {
   refuses_program("sleep 60", "the robot has sent no state for 5 s");
   refuses("steer --live cat --terrain flat", {"--live", "--terrain"});
   refuses("steer --live cat --plant real", {"--live", "plant"});
+  refuses("steer --late-limit 1s", {"--late-limit", "--live"});
+  refuses("steer --live cat --late-limit 2ms", {"--late-limit is '2ms'", "10ms to 10s"});
 }
 #else
 TEST_F(Steer, SaysWhatItLacks) {

@@ -68,6 +68,11 @@ void add_steer(CLI::App& app, SteerArguments& a) {
           ->add_option("--live", a.live,
                        "A live robot: the program that drives it, and its arguments")
           ->type_name("'PROGRAM ARGS'");
+  steer
+      ->add_option("--late-limit", a.late_limit,
+                   "Stop the live robot after so long without a state of it; default 100ms")
+      ->type_name("TIME")
+      ->needs(live);
   add_replay_files(*steer, a.walk.record, a.walk.html);
   steer->add_flag("--json", a.walk.json, "At the end, print one JSON object");
   steer->add_flag("--quiet", a.walk.quiet, "Say nothing but the address");

@@ -30,6 +30,7 @@ void complete(Simulation& simulation, const RobotModel& robot) {
 footstep_gen::WalkerParams walker_params(const Simulation& simulation) {
   footstep_gen::WalkerParams params;
   params.control_dt = simulation.control_dt;
+  params.late_limit = simulation.late_limit;
   params.sensors = simulation.gait.open_loop ? SensorMask{false, false, false} : simulation.sensors;
   params.gait.adjustment = simulation.gait.adjustment;
   params.gait.tie_tolerance = simulation.params.tolerance.tie;

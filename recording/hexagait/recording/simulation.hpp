@@ -19,6 +19,7 @@ struct Simulation {
   RobotParams params;            ///< what is kDerived follows from the robot's model
   PlantSetup plant;              ///< what is not ideal about the robot, its sensors and the ground
   SensorMask sensors;
+  double late_limit = footstep_gen::WalkerParams{}.late_limit;  ///< see there [s]
   gait_state::GaitChoice gait;  ///< until the schedule says otherwise
   double random_posture = 0.0;  ///< feet start displaced by up to this [m]
   walk::TrialOptions trial;

@@ -99,11 +99,15 @@ class LiveSession : public testing::Test {
     SessionOptions result;
     result.robot = model_;
     result.live = &plant_;
+    result.simulation.late_limit = 10.0;  // the machine may stop this process for a moment
     return result;
   }
   void start(heading_control::Heading heading = heading_control::Heading::stop()) {
     SessionOptions begin = options();
     begin.heading = heading;
+    start(std::move(begin));
+  }
+  void start(SessionOptions begin) {
     ASSERT_TRUE(robot_.pipe().send(robot_.state));  // which it takes over
     session_ = std::make_unique<Session>(std::move(begin));
     ASSERT_EQ(robot_.pipe().receive(2.0), PipeRobot::Heard::targets);
@@ -306,7 +310,10 @@ TEST_F(LiveSession, TellsThatStatesWereLate) {
 
 // Silent for longer than the limit it is stopped, with what it hears; and it can be taken over again.
 TEST_F(LiveSession, StopsARobotThatIsSilentAndCanTakeItOverAgain) {
-  start();
+  SessionOptions begin = options();
+  begin.heading = heading_control::Heading::stop();
+  begin.simulation.late_limit = 1.0;
+  start(std::move(begin));
   const ClientId client = session_->enter();
   robot_.live(0.05);
   std::this_thread::sleep_for(milliseconds(400));
