@@ -36,14 +36,13 @@ int steer_command(const SteerArguments& arguments) {
     else
       serve_page("steer", arguments.address, arguments.walk.quiet, session, seconds, ended);
   };
-  const viewer::SessionStatistics statistics = walk_in_session(
-      "steer", arguments.walk,
-      {.speed_factor = speed(arguments.speed),
-       .live = arguments.live,
-       .late_limit = arguments.late_limit.empty() ? std::optional<double>()
-                                                  : late_limit(arguments.late_limit),
-       .stands = live && !arguments.headless},
-      attend);
+  const viewer::SessionStatistics statistics =
+      walk_in_session("steer", arguments.walk,
+                      {.speed_factor = speed(arguments.speed),
+                       .live = arguments.live,
+                       .late_limit = late_limit(arguments.late_limit),
+                       .stands = live && !arguments.headless},
+                      attend);
   const bool failed = live ? has_failed(statistics) : arguments.headless && statistics.fell;
   return failed ? kFailed : kOk;
 }

@@ -70,8 +70,9 @@ void add_steer(CLI::App& app, SteerArguments& a) {
           ->type_name("'PROGRAM ARGS'");
   steer
       ->add_option("--late-limit", a.late_limit,
-                   "Stop the live robot after so long without a state of it; default 100ms")
+                   "Stop the live robot after so long without a state of it")
       ->type_name("TIME")
+      ->capture_default_str()
       ->needs(live);
   add_replay_files(*steer, a.walk.record, a.walk.html);
   steer->add_flag("--json", a.walk.json, "At the end, print one JSON object");

@@ -14,8 +14,8 @@ struct SteerArguments {
   WalkArguments walk;  ///< of which steer has only some options
   PageAddress address;
   std::string speed = "1";
-  std::string live;        ///< command line of a live robot's program
-  std::string late_limit;  ///< longest time without a state of a live robot
+  std::string live;                  ///< command line of a live robot's program
+  std::string late_limit = "100ms";  ///< longest time without a state of a live robot
   bool headless = false;
 };
 

@@ -118,7 +118,7 @@ SessionStatistics walk_in_session(const char* command, const WalkArguments& argu
 
   viewer::SessionOptions begin = options(command, arguments);
   begin.speed_factor = choice.speed_factor;
-  if (choice.late_limit) begin.simulation.late_limit = *choice.late_limit;
+  begin.simulation.late_limit = choice.late_limit;
   begin.replay = replay ? &*replay : nullptr;
   if (choice.stands) begin.heading = begin.heading.stopped();
   std::optional<LiveRobot> robot;

@@ -4,7 +4,6 @@
 
 #include <functional>
 #include <hexagait/viewer/session.hpp>
-#include <optional>
 #include <string>
 
 #include "arguments.hpp"
@@ -15,8 +14,8 @@ namespace hexagait::app {
 struct SessionChoice {
   double speed_factor = 1.0;  ///< simulated seconds per second
   std::string live = {};      ///< command line of a live robot's program; empty: a simulated robot
-  std::optional<double> late_limit = {};  ///< of the live robot: see recording::Simulation [s]
-  bool stands = false;                    ///< until somebody steers
+  double late_limit = recording::Simulation{}.late_limit;  ///< see WalkerParams [s]
+  bool stands = false;                                     ///< until somebody steers
 };
 
 using Attend = std::function<void(viewer::Session& session, const heading_control::Heading& heading,

@@ -299,12 +299,13 @@ TEST_F(LiveSession, TellsThatStatesWereLate) {
   start();
   robot_.live(0.05);
   alive_ = false;
-  std::this_thread::sleep_for(milliseconds(60));  // of which some are of the fault's 100
+  std::this_thread::sleep_for(milliseconds(300));  // longer than the limit is unless it is set
   while (robot_.pipe().receive(0.0) == PipeRobot::Heard::targets) {
   }
   frame_when(
       [](const PoseFrame& f) { return (f.flags & PoseFrame::holding) != 0 || f.fault != 0; });
   robot_.live(0.05);
+  EXPECT_FALSE(robot_.stopped());
   letter_with(Host::Mail::notice, "no state of the robot for ");
 }
 

@@ -12,7 +12,7 @@ const built = resolve(dirname(process.env.HEXAGAIT), "..");
 const robot = resolve(built, "../../robots/argos.urdf");
 let browser, server, page;
 
-// The machine may stop the robot's process for a moment: a film in the browser takes all processors.
+// The machine may stop the robot's process for a moment: the browser takes all processors.
 withPage(["--late-limit", "3s", "--live", `${built}/examples/simulated_robot --real-time ${robot}`], (parts) => ({ browser, server, page } = parts));
 
 /** Is it in the picture, in front of everything, and large enough for a finger? */
