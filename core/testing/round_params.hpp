@@ -46,6 +46,7 @@ inline void round_walk(RobotParams& p) {
   p.swing.lag_speed = 0.3;
 
   p.base.acceleration = 1.2;
+  p.base.braking_distance = 0.005;
   p.base.max_speed = 0.60;
   p.base.advance_rate = 8.0;
   p.base.correction_rate = 2.0;

@@ -61,4 +61,9 @@ walk::Summary simulate_shown(const RobotModel& robot, const recording::Simulatio
   return recording::simulate_in_world(robot, simulation, observe, context.stop);
 }
 
+void show(const RobotModel& robot, const recording::Simulation& simulation,
+          const ExperimentContext& context) {
+  if (context.spectator != nullptr) (void)simulate_shown(robot, simulation, {}, context);
+}
+
 }  // namespace hexagait::experiments

@@ -87,6 +87,11 @@ struct Experiment {
                                            const walk::Observer& observer,
                                            const ExperimentContext& context);
 
+/// One more walk for the context's spectator, of an experiment whose own walks go to many workers, or come
+/// from a journal; without one nothing is walked.
+void show(const RobotModel& robot, const recording::Simulation& simulation,
+          const ExperimentContext& context);
+
 /// Runs one into a directory of its name in `out`, which is made: figures, tables, manifest.json.
 /// Nothing is written if it is stopped.
 /// @throws InvalidInput  if the directory can't be made or written

@@ -76,10 +76,11 @@ Outcome rates(const ExperimentContext& context, figures::StagedFiles& files) {
   for (const double period : periods) {
     const bool on_terrain = period == kReferencePeriod || period >= 0.010;
     groups.push_back(ten_headings(brief ? 4.0 : 40.0));
-    groups.push_back(over_terrain("boxes:0.10", on_terrain ? seeds : 0, brief ? 0.5 : 5.0));
+    groups.push_back(over_terrain("boxes:0.10", on_terrain ? seeds : 0, brief ? 1.0 : 5.0));
     for (std::size_t k = groups.size() - 2; k < groups.size(); ++k) set_period(groups[k], period);
   }
   if (!walk_all(context, groups)) return {};
+  show(*context.robot, groups.back().front().simulation, context);
   files.write("rates.csv", table(groups).text());
 
   const auto at = std::ranges::find(periods, kReferencePeriod) - periods.begin();

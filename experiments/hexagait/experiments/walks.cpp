@@ -55,6 +55,29 @@ std::vector<Walk> random_commands(const RobotModel& robot, std::uint64_t count, 
   });
 }
 
+// Straight on at full speed, then a command that leaves the straight line at once, given at eight instants
+// of a step.
+std::vector<Walk> sharp_changes(bool brief) {
+  constexpr double kBefore = 5.0, kApart = 0.17, kAfter = 4.0;  // [s]
+  struct Command {
+    const char* name;
+    Heading heading;
+  };
+  const Command commands[] = {{"crab 90°", Heading::straight(std::numbers::pi / 2.0)},
+                              {"crab 45°", Heading::straight(std::numbers::pi / 4.0)},
+                              {"spin", Heading::spin(Turn::ccw)},
+                              {"r = 0.3 m", Heading::arc(0.3, 0.0)}};
+  std::vector<Walk> walks;
+  for (const auto& [name, heading] : commands)
+    for (int k = 0; k < (brief ? 1 : 8); ++k) {
+      const double at = kBefore + kApart * k;
+      walks.push_back({"sharp change", fmt::format("{} after {:.2f} s", name, at),
+                       flat(Heading::straight(0.0), at + kAfter)});
+      walks.back().simulation.trial.schedule.push_back({at, heading});
+    }
+  return walks;
+}
+
 // What ./run walks, with other seeds.
 std::vector<Walk> first_walks(std::uint64_t count, double seconds) {
   return seeds("first walk", count, [=](std::uint64_t) {
@@ -64,6 +87,8 @@ std::vector<Walk> first_walks(std::uint64_t count, double seconds) {
   });
 }
 
+constexpr const char* kPolygon =
+    "braking harder would take the zero-moment point out of the support polygon";
 constexpr const char* kNoReflexes =
     "a foot that rolls over an edge while a neighbour is in the air is only put down again";
 
@@ -203,6 +228,20 @@ Verdict judge_commands(std::span<const Walk> walks) {
           .checks = {none_stuck(walks), to_the_end(walks)}};
 }
 
+Verdict judge_sharp_changes(std::span<const Walk> walks) {
+  const auto off = [](const Walk& w) { return 1e2 * w.summary.lateral_max; };
+  const auto margin = [](const Walk& w) { return 1e2 * w.summary.margin_min; };
+  return {.claim = fmt::format("{} sharp changes of heading at full speed", walks.size()),
+          .safety = no_fall(summaries(walks)),
+          .checks = {
+              none_stuck(walks),
+              to_the_end(walks),
+              Check({"farthest from the path, worst change", "cm", worst(walks, off)}, at_most(2.0))
+                  .expected_to_fail(between(2.0, 4.5), kPolygon),
+              {{"least stability margin of all", "cm", statistics::least(each(walks, margin))},
+               at_least(0.0)}}};
+}
+
 Verdict judge_terrain(std::span<const Walk> walks) {
   const auto lateral = each(walks, [](const Walk& w) { return 1e2 * w.summary.lateral_mean; });
   const auto speed = each(walks, [](const Walk& w) { return w.summary.speed; });
@@ -255,10 +294,12 @@ Outcome walks(const ExperimentContext& context, figures::StagedFiles& files) {
       over_terrain("boxes:0.10", brief ? 2 : 20, brief ? 1.0 : 5.0),
       over_terrain("steps:0.10", brief ? 2 : 20, brief ? 1.0 : 5.0),
       first_walks(brief ? 1 : 20, brief ? 5.0 : 30.0),
+      sharp_changes(brief),
       over_terrain("boxes:0.10", brief ? 1 : 20, brief ? 1.0 : 5.0, "real"),
       over_terrain("boxes:0.10", brief ? 1 : 20, brief ? 1.0 : 5.0, "late_ticks:5%")};
-  if (!context.plant.is_ideal()) groups.resize(6);  // the others have plants of their own
+  if (!context.plant.is_ideal()) groups.resize(7);  // the others have plants of their own
   if (!walk_all(context, groups)) return {};
+  show(*context.robot, groups[5].front().simulation, context);
   files.write("walks.csv", table(groups).text());
 
   std::size_t count = 0;
@@ -267,7 +308,8 @@ Outcome walks(const ExperimentContext& context, figures::StagedFiles& files) {
                                    judge_postures(groups[1]), judge_commands(groups[2])};
   for (const std::size_t k : {3U, 4U})
     verdicts.push_back(judged_in_full_only(judge_terrain(groups[k]), brief));
-  for (std::size_t k = 6; k < groups.size(); ++k)
+  verdicts.push_back(judged_in_full_only(judge_sharp_changes(groups[6]), brief));
+  for (std::size_t k = 7; k < groups.size(); ++k)
     verdicts.push_back(judged_in_full_only(judge_plant(groups[k]), brief));
   verdicts.push_back(judged_in_full_only(judge_first_walk(groups[5]), brief));
   return {.verdicts = verdicts,

@@ -57,6 +57,9 @@ struct JudgedWalk {
 /// A new random heading every second.
 [[nodiscard]] Verdict judge_commands(std::span<const JudgedWalk> walks);
 
+/// From straight on, at full speed, to a command that leaves the line.
+[[nodiscard]] Verdict judge_sharp_changes(std::span<const JudgedWalk> walks);
+
 /// Straight on over rough ground, as far as asked.
 [[nodiscard]] Verdict judge_terrain(std::span<const JudgedWalk> walks);
 

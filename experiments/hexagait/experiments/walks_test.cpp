@@ -88,6 +88,24 @@ TEST(JudgeCommands, WantsNoFallNoViolationAndTheWholeTime) {
   EXPECT_EQ(bench.word([](auto& s) { s.seconds = 10.0; }), "FAILS");
 }
 
+// Off the path as far as is known, neither more nor less, and inside of the feet.
+TEST(JudgeSharpChanges, KnowsHowFarItLeavesThePath) {
+  const auto word = [](auto change) {
+    std::vector<JudgedWalk> walks(3, well_walked("sharp change"));
+    for (JudgedWalk& walk : walks) {
+      walk.summary.lateral_max = 0.035;
+      walk.summary.margin_min = 0.05;
+    }
+    change(walks[1].summary);
+    return judge_sharp_changes(walks).word();
+  };
+  EXPECT_EQ(word([](auto&) {}), "as expected, does not hold");
+  EXPECT_EQ(word([](auto& s) { s.fell = true; }), "FAILS");
+  EXPECT_EQ(word([](auto& s) { s.stuck = true; }), "FAILS");
+  EXPECT_EQ(word([](auto& s) { s.lateral_max = 0.05; }), "FAILS");
+  EXPECT_EQ(word([](auto& s) { s.margin_min = -0.001; }), "FAILS");
+}
+
 TEST(JudgeTerrain, WantsAllToArriveNearThePath) {
   const Bench bench{judge_terrain};
   bench.holds_unless_it_falls_or_stops();

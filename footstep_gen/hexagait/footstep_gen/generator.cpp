@@ -75,6 +75,7 @@ struct Edge {
 // The support polygon seen along gravity: axes of odom, origin at the body's.
 struct SupportEdges {
   InlineArray<Edge, kMaxLegs> edges;
+  double height = 0.0;  // of the centre of mass over the feet that stand [m]
 
   [[nodiscard]] bool has_inside() const { return edges.size() > 2; }
 };
@@ -91,6 +92,10 @@ SupportEdges support_edges(const PathArc& arc, const Executor& executor, LegSet 
     const auto [from, inwards] = edge_of(polygon, k);
     edges.edges[k] = {inwards, inwards.dot(p_M - from), -inwards.dot(direction)};
   }
+  double feet_z = 0.0;
+  for (LegId i = 0; i < executor.legs().size(); ++i)
+    if (support.contains(i)) feet_z += (R_OB.row(2) * executor.legs()[i].p_BF).value();
+  edges.height = (R_OB.row(2) * executor.p_BM()).value() - feet_z / support.size();
   return edges;
 }
 
@@ -116,6 +121,20 @@ Vector2 back_over_the_feet(const SupportEdges& polygon, const Matrix3& R_OB, dou
   for (const Edge& edge : polygon.edges)
     if (edge.distance < margin) back += (margin - edge.distance) * edge.inwards;
   return R_OB.topLeftCorner<2, 2>().transpose() * back;
+}
+
+// The deceleration of a motion [m/s²] with which the zero-moment point, which is ahead of the centre of
+// mass by its height × deceleration / g, comes as close as `margin` to an edge of the support polygon.
+double braking_within(const SupportEdges& polygon, const Matrix3& R_OB, const Vector2& motion,
+                      double margin, double gravity) {
+  const double speed = motion.norm();
+  if (!polygon.has_inside() || !(speed > 0.0) || !(polygon.height > 0.0)) return 0.0;
+  const Vector2 ahead = R_OB.topLeftCorner<2, 2>() * motion / speed;
+  double way = std::numeric_limits<double>::infinity();
+  for (const Edge& edge : polygon.edges)
+    if (const double closer = -edge.inwards.dot(ahead); closer > 0.0)
+      way = std::min(way, (edge.distance - margin) / closer);
+  return std::max(0.0, way) * gravity / polygon.height;
 }
 
 // A correction must not take a centre of mass that is at an edge farther out.
@@ -245,6 +264,9 @@ BaseAutoCommand base_auto(const RobotModel& model, const PathArc& arc, const Exe
   }
   // A base that goes on rolls a foot on an edge farther off it.
   if (!(executor.giving_way() & support).empty()) ahead = 0.0;
+  const ExecutorParams& limits = executor.params();
+  const PlanarTwist off = off_path(executor.base(), arc.per_metre, limits.base.outer_radius);
+  base.max_braking = braking_within(polygon, X_OB.R, off.v, params.lift_margin, limits.gravity);
   base.max_advance = ahead;
   base.min_advance = -back;
   base.correction = {

@@ -282,6 +282,33 @@ TEST(BaseCommand, GivesALostMarginBack) {
   }
 }
 
+// The zero-moment point may go to `lift_margin` from the front edge, and no farther: from the centre of
+// mass at 0 by 0.35 − 0.06 m. It is ahead by height × deceleration / g.
+TEST(BaseCommand, BrakesAsHardAsTheSupportPolygonAllows) {
+  Stance stance;
+  stance.robot.p_BM = {0.0, 0.0, 0.0};
+  stance.executor = Executor(stance.robot, hexagait::testing::round_executor());
+  stance.executor.reset(stance.state);
+  const auto braking = [&] {
+    return base_auto(stance.robot, stance.arc(Heading::straight(kPi / 2.0)), stance.executor,
+                     stance.state.X_OB, {}, {.stability_margin = 0.03, .lift_margin = 0.06})
+        .max_braking;
+  };
+  EXPECT_EQ(braking(), 0.0) << "at rest";
+  const auto walk_on = [&](const Heading& heading) {
+    for (int tick = 0; tick < 100; ++tick) {
+      stance.executor.command(base_auto(stance.robot, stance.arc(heading), stance.executor,
+                                        stance.state.X_OB, {{0.3, 0.0}, 0.0}, round_step()));
+      (void)stance.executor.advance(stance.state, 0.002);
+    }
+  };
+  walk_on(Heading::stop());  // a correction, straight ahead
+  ASSERT_GT(stance.executor.base().planar.v.x(), 0.01);
+  const double x_front = stance.executor.legs()[0].p_BF.x();
+  const double height = -stance.executor.legs()[0].p_BF.z();
+  EXPECT_NEAR(braking(), 9.81 * (x_front - 0.06) / height, 1e-6);
+}
+
 TEST(BaseCommand, WaitsWhileAFootholdGivesWay) {
   Stance stance;
   stance.state.slide_O = LegArray<Vector3>(6, Vector3::Zero());

@@ -120,6 +120,7 @@ Vector2 way_over(const LegArray<Vector3>& feet, const Vector2& p_M, LegSet legs,
 void sway(BaseAutoCommand& base, const Vector2& sway) noexcept {
   base.sway = sway;
   base.min_advance = 0.0;
+  base.max_braking = 0.0;  // a sway is off the path on purpose
   if (base.path.v.dot(sway) < 0.0) base.max_advance = 0.0;
 }
 

@@ -57,6 +57,21 @@ TEST_P(Robots, TurnInPlace) {
   EXPECT_LT(s.lateral_max, 0.02 * length_);
 }
 
+/// Straight on at full speed, then in place, wherever the legs are.
+TEST_P(Robots, TurnSharplyWithoutLeavingTheirPath) {
+  for (const double share : {15.0, 15.7, 16.4}) {
+    sim3d::World world(robot_, {}, {}, nominal_posture(robot_));
+    footstep_gen::Walker walker(robot_);
+    TrialOptions options;
+    options.schedule = {{0.0, Heading::straight(0.0), {}},
+                        {share * scale_.time, Heading::spin(Turn::ccw), {}}};
+    options.seconds = (share + 6.0) * scale_.time;
+    const Summary s = run_trial(walker, world, world.truth(), options);
+    EXPECT_TRUE(s.ok()) << in_words(s.hindrance, robot_);
+    EXPECT_LT(s.lateral_max, 0.05 * length_) << share;
+  }
+}
+
 /// The discrete posture control of [PC04] 5.2, at 20 Hz.
 TEST(DiscretePosture, WalksAnArcWithFeetThatHardlySlip) {
   const RobotModel robot = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/lauron.urdf");

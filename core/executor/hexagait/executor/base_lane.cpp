@@ -28,7 +28,31 @@ PlanarTwist wanted_velocity(const BaseAutoCommand& command, const BaseGoal& goal
   return {speed * command.path.v + v, speed * command.path.w + w};
 }
 
+// (base 2). @returns whether the base does nothing else in this tick
+bool brake_off_path(BaseLane& lane, const BaseAutoCommand& command, double dt,
+                    const BaseParams& params) {
+  const PlanarTwist off = off_path(lane, command.path, params.outer_radius);
+  const double speed = std::hypot(off.v.norm(), params.outer_radius * off.w);
+  // The exact solution over a tick of dv/dt = −v²/(2 s).
+  const double needed = 0.5 * speed * speed / (params.braking_distance + 0.5 * speed * dt);
+  const double braking = std::min(needed, command.max_braking);
+  if (!(braking > params.acceleration)) return false;
+  const double share = std::min(1.0, braking * dt / speed);
+  lane.planar.v -= share * off.v;
+  lane.planar.w -= share * off.w;
+  return true;
+}
+
 }  // namespace
+
+PlanarTwist off_path(const BaseLane& lane, const PlanarTwist& path, double arm) noexcept {
+  const PlanarTwist& V = lane.planar;
+  const double length2 = path.v.squaredNorm() + arm * arm * path.w * path.w;
+  if (!(length2 > 0.0)) return V;
+  const double product = V.v.dot(path.v) + arm * arm * V.w * path.w;
+  const double along = std::max(0.0, product) / length2;
+  return {V.v - along * path.v, V.w - along * path.w};
+}
 
 void scale(BaseLane& lane, double share) noexcept {
   const Twist V = lane.twist();
@@ -38,15 +62,18 @@ void scale(BaseLane& lane, double share) noexcept {
 
 void advance(BaseLane& lane, const BaseAutoCommand& command, const BaseGoal& goal, double dt,
              const BaseParams& params) noexcept {
-  const PlanarTwist wanted = wanted_velocity(command, goal, dt, params);
+  if (!brake_off_path(lane, command, dt, params)) {
+    const PlanarTwist wanted = wanted_velocity(command, goal, dt, params);
 
-  // Bounded change of velocity, measured at the outermost foot.
-  const Vector2 dv = wanted.v - lane.planar.v;
-  const double dw = wanted.w - lane.planar.w;
-  const double change = dv.norm() + params.outer_radius * std::abs(dw);
-  const double share = change > params.acceleration * dt ? params.acceleration * dt / change : 1.0;
-  lane.planar.v += share * dv;
-  lane.planar.w += share * dw;
+    // Bounded change of velocity, measured at the outermost foot.
+    const Vector2 dv = wanted.v - lane.planar.v;
+    const double dw = wanted.w - lane.planar.w;
+    const double change = dv.norm() + params.outer_radius * std::abs(dw);
+    const double most = params.acceleration * dt;
+    const double share = change > most ? most / change : 1.0;
+    lane.planar.v += share * dv;
+    lane.planar.w += share * dw;
+  }
 
   const auto slew = [dt, &params](double& velocity, double error, double bound, double arm) {
     const double most = params.acceleration / arm;

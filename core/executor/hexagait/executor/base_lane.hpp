@@ -19,10 +19,16 @@ struct BaseLane {
   }
 };
 
+/// What the base moves besides a path: its velocity less that part that follows the path, ahead.
+/// @param arm  of angular velocity [m]: BaseParams::outer_radius
+[[nodiscard]] PlanarTwist off_path(const BaseLane& lane, const PlanarTwist& path,
+                                   double arm) noexcept;
+
 /// The same motion at another speed.
 void scale(BaseLane& lane, double share) noexcept;
 
-/// One tick of the base: towards the goal as fast as the limits of speed and acceleration allow.
+/// One tick of the base: towards the goal as fast as the limits of speed and acceleration allow. Motion
+/// away from the path, after a sharp change of heading, ends first (base 2).
 void advance(BaseLane& lane, const BaseAutoCommand& command, const BaseGoal& goal, double dt,
              const BaseParams& params) noexcept;
 

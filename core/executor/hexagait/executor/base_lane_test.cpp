@@ -4,6 +4,7 @@
 
 #include <hexagait/executor/base_lane.hpp>
 #include <hexagait/sim/random.hpp>
+#include <numbers>
 #include <testing/round_params.hpp>
 
 namespace hexagait {
@@ -34,10 +35,13 @@ TEST(BaseLane, NeverAcceleratesMoreThanItsBoundWhateverIsAsked) {
     command.correction = {{u(0.1), u(0.1)}, u(0.5)};
     command.max_speed = random.u01();
     command.max_advance = random.u01() < 0.5 ? kInfinity : random.uniform(0.0, 0.2);
+    command.max_braking = random.u01() < 0.5 ? 0.0 : random.uniform(0.0, 5.0);
     const BaseLane before = lane;
     advance(lane, command, {u(0.3), u(0.1), u(0.3), u(0.3)}, kDt, params);
     const double most = params.acceleration * kDt * (1.0 + 1e-12);
-    ASSERT_LE(change(lane, before, params), most);
+    const bool brakes_hard = command.max_braking > params.acceleration;
+    const double braking = std::numbers::sqrt2 * command.max_braking * kDt * (1.0 + 1e-12);
+    ASSERT_LE(change(lane, before, params), brakes_hard ? std::max(most, braking) : most);
     ASSERT_LE(std::abs(lane.vertical - before.vertical), most);
     ASSERT_LE(params.outer_radius * std::abs(lane.roll - before.roll), most);
     ASSERT_LE(params.outer_radius * std::abs(lane.pitch - before.pitch), most);
@@ -88,6 +92,53 @@ TEST(BaseLane, TiltsAndLiftsWithoutPassingTheGoalAtAnyPeriod) {
       EXPECT_NEAR(reached[k], first[k], 1.01 * dt) << k;
     }
   }
+}
+
+// A heading changes at full speed: the motion of before ends after 2 s ln(v/v₁) + s, where s is the
+// braking distance and v₁² = 2 a s, if the polygon allows it; else after v²/(2 b).
+TEST(BaseLane, LeavesThePathBySoMuchAtASharpChangeOfHeadingAtAnyPeriod) {
+  const BaseParams params = testing::round_params().base;
+  constexpr double kSpeed = 0.45;
+  const double s = params.braking_distance, left = std::sqrt(2.0 * params.acceleration * s);
+  const double gentle = 2.0 * s * std::log(kSpeed / left) + s;
+  struct Case {
+    double max_braking, way;
+  };
+  for (const auto& [max_braking, way] : {Case{kInfinity, gentle}, Case{3.0, kSpeed * kSpeed / 6.0},
+                                         Case{0.0, kSpeed * kSpeed / (2.0 * params.acceleration)}})
+    for (const double dt : {0.001, 0.002, 0.005, 0.010, 0.020}) {
+      BaseAutoCommand command;
+      command.path.v = {0.0, 1.0};
+      command.max_braking = max_braking;
+      BaseLane lane;
+      lane.planar.v.x() = kSpeed;
+      double x = 0.0;
+      for (double t = 0.0; t < 2.0; t += dt) {
+        advance(lane, command, {}, dt, params);
+        x += lane.planar.v.x() * dt;
+        ASSERT_GE(lane.planar.v.x(), 0.0);
+      }
+      EXPECT_LT(x, 1.3 * way) << max_braking << " m/s², " << dt << " s";
+      EXPECT_GT(x, 0.6 * way) << max_braking << " m/s², " << dt << " s";
+    }
+}
+
+// Only what is besides the path: on a tighter arc the part of straight motion that follows it goes on.
+TEST(BaseLane, BrakesWhatIsBesidesThePath) {
+  constexpr double kArm = 0.8;
+  BaseLane lane;
+  lane.planar = {{0.3, 0.4}, 0.5};
+  const PlanarTwist path{{0.6, 0.0}, 1.0};
+  const PlanarTwist off = off_path(lane, path, kArm);
+  EXPECT_NEAR(off.v.dot(path.v) + kArm * kArm * off.w * path.w, 0.0, 1e-15);
+  const PlanarTwist on{lane.planar.v - off.v, lane.planar.w - off.w};
+  EXPECT_NEAR(on.v.x() / path.v.x(), on.w / path.w, 1e-15);
+  EXPECT_NEAR(on.v.y(), 0.0, 1e-15);
+
+  const PlanarTwist backwards = off_path(lane, {-path.v, -path.w}, kArm);
+  EXPECT_EQ(backwards.v, lane.planar.v);
+  EXPECT_EQ(backwards.w, lane.planar.w);
+  EXPECT_EQ(off_path(lane, {}, kArm).v, lane.planar.v);
 }
 
 // Half way at the bound, half way back: the time to stop is that of the bounds, d = a t²/4 each

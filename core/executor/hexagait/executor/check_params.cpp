@@ -39,6 +39,7 @@ void check_swing(Violations& violations, const SwingParams& p) {
 
 void check_base(Violations& violations, const BaseParams& p) {
   const NamedNumber positive[] = {{"acceleration [m/s²]", p.acceleration},
+                                  {"braking_distance [m]", p.braking_distance},
                                   {"outer_radius [m]", p.outer_radius}};
   const NamedNumber not_negative[] = {
       {"max_speed [m/s]", p.max_speed},

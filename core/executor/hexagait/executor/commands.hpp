@@ -56,6 +56,9 @@ struct BaseAutoCommand {
   double max_advance = std::numeric_limits<double>::infinity();
   double min_advance = -std::numeric_limits<double>::infinity();
   double max_speed = std::numeric_limits<double>::infinity();  ///< along the path [m/s]
+  /// Deceleration that the support polygon allows to motion away from the path [m/s²]. 0: what
+  /// BaseParams::acceleration allows.
+  double max_braking = 0.0;
 };
 
 }  // namespace hexagait

@@ -118,6 +118,9 @@ struct BaseParams {
   /// Bound on the acceleration along the path, at the outermost foot [m/s²]. Larger: the
   /// zero-moment point leaves the support triangle and feet lose contact.
   double acceleration = kDerived;
+  /// Way after which motion away from the path has fallen to 1/√e, if the zero-moment point may go
+  /// so far; motion that `acceleration` ends within this way is left to it [m].
+  double braking_distance = kDerived;
   double max_speed = kDerived;         ///< along the path [m/s]
   double advance_rate = kDerived;      ///< speed over remaining path, near the goal [1/s]
   double correction_rate = kDerived;   ///< speed over deviation from the path [1/s]

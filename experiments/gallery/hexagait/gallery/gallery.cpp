@@ -33,10 +33,13 @@ void plan(GalleryRobot& robot, bool brief) {
     robot.walks.push_back({robot.model.name, all[(seed - 1) % all.size()].name, robot.boxes, seed});
 }
 
-void walk_it(const ExperimentContext& context, const GalleryRobot& robot, GalleryWalk& walk) {
+RobotHeading heading_of(const GalleryRobot& robot, const GalleryWalk& walk) {
   const std::vector<RobotHeading> all = headings(robot);
-  RobotHeading heading = *std::ranges::find(all, walk.heading, &RobotHeading::name);
-  if (context.short_form) heading.distance *= 0.1;
+  return *std::ranges::find(all, walk.heading, &RobotHeading::name);
+}
+
+recording::Simulation simulation_of(const ExperimentContext& context, const GalleryRobot& robot,
+                                    const GalleryWalk& walk, const RobotHeading& heading) {
   recording::Simulation simulation = walk_of(heading, robot.scale);
   simulation.plant = context.plant;
   simulation.seed = walk.seed;
@@ -44,8 +47,20 @@ void walk_it(const ExperimentContext& context, const GalleryRobot& robot, Galler
     simulation.terrain = {sim3d::TerrainKind::boxes, walk.height};
     simulation.terrain.parts[0].extent = kCell * robot.scale.size;
   }
+  return simulation;
+}
+
+void walk_it(const ExperimentContext& context, const GalleryRobot& robot, GalleryWalk& walk) {
+  RobotHeading heading = heading_of(robot, walk);
+  if (context.short_form) heading.distance *= 0.1;
+  const recording::Simulation simulation = simulation_of(context, robot, walk, heading);
   walk.end =
       end_of(recording::simulate(robot.model, simulation, {}, context.stop), heading, robot.model);
+}
+
+void show_boxes(const ExperimentContext& context, const GalleryRobot& robot) {
+  const GalleryWalk walk = robot.walks_on(true).front();
+  show(robot.model, simulation_of(context, robot, walk, heading_of(robot, walk)), context);
 }
 
 // Walks all, but those of an earlier run that was stopped.
@@ -105,6 +120,7 @@ Outcome gallery(const ExperimentContext& context, figures::StagedFiles& files) {
     plan(robots.back(), context.short_form);
   }
   if (!walk_all(context, robots)) return {};
+  if (!robots.empty()) show_boxes(context, robots.front());
   const figures::Csv rows = table(robots);
   files.write("gallery.csv", rows.text());
   files.write("gallery.md", gallery_page(robots, context.plant.name, context.short_form));

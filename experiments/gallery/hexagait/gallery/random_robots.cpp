@@ -11,6 +11,7 @@
 #include <hexagait/gallery/gallery.hpp>
 #include <hexagait/gallery/random_robots.gp.hpp>
 #include <hexagait/gallery/random_robots.hpp>
+#include <hexagait/urdf/urdf.hpp>
 
 namespace hexagait::experiments {
 namespace {
@@ -73,6 +74,15 @@ void draw(figures::StagedFiles& files, const ExperimentContext& context,
       {}, scripts::gallery::random_robots);
 }
 
+// The first that can stand.
+void show_one(const ExperimentContext& context, std::span<const RobotTrial> trials) {
+  const auto first = std::ranges::find_if(trials, &RobotTrial::stands);
+  if (context.spectator == nullptr || first == trials.end()) return;
+  const RobotModel robot = parse_urdf(random_robot(first->seed).urdf, "random robot");
+  const RobotScale scale = scale_of(robot);
+  show(robot, walk_of(straight_on(scale), scale), context);
+}
+
 }  // namespace
 
 Verdict judge_random_robots(std::span<const RobotTrial> trials) {
@@ -132,6 +142,7 @@ Outcome random_robots(const ExperimentContext& context, figures::StagedFiles& fi
   files.write("random_robots.csv", rows.text());
   const Verdict verdict = judge_random_robots(trials);
   draw(files, context, trials, verdict);
+  show_one(context, trials);
   return {.verdicts = {judged_in_full_only(verdict, context.short_form)},
           .settings = {{"robots", std::to_string(count)}},
           .table = rows};

@@ -99,6 +99,19 @@ void draw(figures::StagedFiles& files, const ExperimentContext& context,
       scripts::rough::rough);
 }
 
+// The free gait over boxes of a third of the reach of a leg.
+void show_one(const ExperimentContext& context) {
+  const RoughSize size = rough_size(*context.robot, context.seeds, false);
+  recording::Simulation simulation;
+  simulation.terrain =
+      sim3d::parse_terrain(fmt::format("boxes:{:g}", size.heights[size.heights.size() / 2]));
+  simulation.trial.schedule = {{0.0, heading_control::Heading::straight(0.0)}};
+  simulation.trial.distance = size.distance;
+  simulation.trial.seconds = size.seconds;
+  simulation.plant = context.plant;
+  show(*context.robot, simulation, context);
+}
+
 }  // namespace
 
 double leg_reach(const RobotModel& robot) {
@@ -148,6 +161,7 @@ Outcome rough(const ExperimentContext& context, figures::StagedFiles& files) {
   if (!walk(context, sweep, directory)) return {};
   if (context.parts > 1) return part_of_it(context, directory);
   sweep::publish(directory);
+  show_one(context);
 
   const std::vector<RoughPoint> points = tally(directory);
   const double reach = leg_reach(*context.robot);

@@ -166,6 +166,17 @@ figures::Csv table(const std::vector<PlantCost>& all) {
   return table;
 }
 
+void show_one(const ExperimentContext& context) {
+  const PageHead head = experiments::head(false);
+  recording::Simulation simulation;
+  simulation.terrain = sim3d::parse_terrain(kBoxes);
+  simulation.trial.schedule = {{0.0, heading_control::Heading::straight(0.0)}};
+  simulation.trial.distance = head.distance;
+  simulation.trial.seconds = head.seconds;
+  simulation.plant = recording::parse_plant("real");
+  show(*context.robot, simulation, context);
+}
+
 }  // namespace
 
 Outcome sensitivity(const ExperimentContext& context, figures::StagedFiles& files) {
@@ -179,6 +190,8 @@ Outcome sensitivity(const ExperimentContext& context, figures::StagedFiles& file
   if (on_flat.empty()) return {};
   const std::vector<Cost> on_boxes = walk(context, boxes, 1.0 - share, share);
   if (on_boxes.empty()) return {};
+
+  show_one(context);
 
   std::vector<PlantCost> all;
   for (std::size_t k = 0; k < flat.plants.size(); ++k)
