@@ -32,7 +32,8 @@ PlanarTwist wanted_velocity(const BaseAutoCommand& command, const BaseGoal& goal
 bool brake_off_path(BaseLane& lane, const BaseAutoCommand& command, double dt,
                     const BaseParams& params) {
   const PlanarTwist off = off_path(lane, command.path, params.outer_radius);
-  const double speed = std::hypot(off.v.norm(), params.outer_radius * off.w);
+  const double turn = params.outer_radius * off.w;
+  const double speed = std::sqrt(off.v.squaredNorm() + turn * turn);
   // The exact solution over a tick of dv/dt = −v²/(2 s).
   const double needed = 0.5 * speed * speed / (params.braking_distance + 0.5 * speed * dt);
   const double braking = std::min(needed, command.max_braking);
