@@ -93,14 +93,30 @@ std::vector<Column> walk_columns(const std::vector<Column>& own) {
   return columns;
 }
 
+// A text as one cell.
+std::string cell(std::string_view text) {
+  std::string plain;
+  for (const char letter : text.substr(0, 200)) {
+    const bool printed =
+        static_cast<unsigned char>(letter) >= 0x20 && letter != ',' && letter != '"';
+    plain += printed ? letter : letter == ',' ? ';' : ' ';
+  }
+  return plain;
+}
+
 // Their values; `own` are those of one simulator, with commas between them.
-std::string walk_row(const walk::Summary& s, const Limits& limits, const std::string& own) {
+// @param hindrance  why it got stuck, if it did
+std::string walk_row(const walk::Summary& s, const Limits& limits, const std::string& hindrance,
+                     const std::string& own) {
   const bool fault = s.fault != footstep_gen::Fault::none;
   const Outcome end = outcome(s, limits);
+  const std::string_view why = fault                   ? footstep_gen::to_string(s.fault)
+                               : end == Outcome::stuck ? std::string_view(hindrance)
+                                                       : std::string_view();
   return fmt::format("{},{},{},{:d},{},{:d},{:d},{},{},{},{},{},{},{:016x}", to_string(end),
-                     fault ? footstep_gen::to_string(s.fault) : "", s.speed, to_the_end(end),
-                     arrived(s, limits), s.fell, s.stuck, s.seconds, s.distance, s.steps,
-                     optional(s.tripod_after_steps), own, s.rule1_violations, s.state_hash);
+                     cell(why), s.speed, to_the_end(end), arrived(s, limits), s.fell, s.stuck,
+                     s.seconds, s.distance, s.steps, optional(s.tripod_after_steps), own,
+                     s.rule1_violations, s.state_hash);
 }
 
 // ---- box2d ------------------------------------------------------------------------------------
@@ -123,7 +139,7 @@ std::string run_genghis(const TrialConfig& config) {
   if (config.limits.distance > 0.0) trial.distance = config.limits.distance;
 
   const recording::GenghisSummary s = recording::simulate(trial);
-  return walk_row(s, config.limits,
+  return walk_row(s, config.limits, "",
                   fmt::format("{},{},{},{},{},{}", s.slip_mean, s.pitch_max, s.side_view.searches,
                               s.side_view.blocked, s.contact_losses, s.real_contact_losses));
 }
@@ -142,6 +158,12 @@ const std::vector<Column> kOdeColumns =
                   {"contact_losses", "contact losses", ""},
                   {"real_contact_losses", "real contact losses", ""}});
 
+// Which leg a robot that is stuck waits for, without what may help.
+std::string cause(const walk::Hindrance& hindrance, const RobotModel& robot) {
+  const std::string words = in_words(hindrance, robot);
+  return words.substr(0, words.find("; what may help"));
+}
+
 std::string run_ode(const TrialConfig& config) {
   recording::Simulation simulation;
   simulation.terrain = sim3d::parse_terrain(config.terrain);
@@ -155,7 +177,7 @@ std::string run_ode(const TrialConfig& config) {
 
   const walk::Summary s = recording::simulate(*config.robot, simulation);
   return walk_row(
-      s, config.limits,
+      s, config.limits, cause(s.hindrance, *config.robot),
       fmt::format("{},{},{},{},{},{},{},{},{},{}", s.lateral_mean, s.lateral_max, s.heading_max,
                   s.slip_mean, number(s.slip_p95), s.margin_min, number(s.cost_of_transport),
                   s.neighbour_flight, s.contact_losses, s.real_contact_losses));
@@ -227,12 +249,8 @@ Ground ground(Engine engine, const std::string& terrain) { return of(engine).gro
 std::string run(const TrialConfig& config) { return of(config.engine).run(config); }
 
 std::string no_result(Engine engine, Outcome outcome, std::string_view reason) {
-  std::string cells = fmt::format("{},", to_string(outcome));
-  for (const char letter : reason.substr(0, 200)) {
-    const bool plain = static_cast<unsigned char>(letter) >= 0x20 && letter != ',' && letter != '"';
-    cells += plain ? letter : letter == ',' ? ';' : ' ';
-  }
-  return cells + std::string(columns(engine).size(), ',');
+  return fmt::format("{},{}", to_string(outcome), cell(reason)) +
+         std::string(columns(engine).size(), ',');
 }
 
 }  // namespace hexagait::sweep

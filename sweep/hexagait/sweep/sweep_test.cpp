@@ -5,12 +5,29 @@
 #include <hexagait/sweep/detail/header.hpp>
 #include <hexagait/sweep/detail/scratch_sweep.hpp>
 #include <hexagait/text/invalid_input.hpp>
+#include <hexagait/urdf/urdf.hpp>
 #include <set>
 
 namespace hexagait::sweep {
 namespace {
 
 using Grid = ScratchSweep;
+
+// At the edge of an abyss no leg finds ground.
+TEST(Row, OfARobotThatIsStuckSaysForWhichLegItWaits) {
+  const RobotModel robot = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  TrialConfig config;
+  config.engine = Engine::ode;
+  config.controller = *gait_state::parse_gait_choice("free");
+  config.robot = &robot;
+  config.terrain = "cliff:1.2";
+  config.limits.distance = 3.0;
+  const std::string row = run(config);
+  EXPECT_THAT(row, testing::StartsWith("stuck,leg ")) << row;
+  EXPECT_THAT(row.substr(0, row.find(",0.")), testing::HasSubstr("it finds no ground; or"));
+  EXPECT_EQ(std::ranges::count(row, ','), static_cast<long>(columns(Engine::ode).size()) + 1)
+      << "outcome and reason come before";
+}
 
 // 3 controllers × 3 terrains × 7 seeds × 2 plants × 2 robots: 252 trials, each a cell of its own.
 TEST_F(Grid, NumbersItsPointsOneToOne) {
