@@ -12,7 +12,7 @@ namespace {
 // Each walks all, at 0.2 m/s.
 std::vector<GalleryRobot> good_robots() {
   std::vector<GalleryRobot> robots;
-  for (const char* name : {"argos", "quadruped"}) {
+  for (const char* name : {"argos", "quadruped_rpp"}) {
     robots.push_back(
         in_gallery(load_urdf(std::string(HEXAGAIT_SOURCE_DIR "/robots/") + name + ".urdf")));
     const WalkEnd end{.outcome = "walked", .seconds = 10.0, .way = 2.0, .off_path = 0.01};
@@ -55,7 +55,7 @@ TEST(JudgeBoxes, AllowsOneOfTwenty) {
   EXPECT_EQ(judge_boxes(robots).word(), "FAILS");
 }
 
-// Of the quadruped no more is claimed than was measured, and no less; of argos it is.
+// Of quadruped_rpp no more is claimed than was measured, and no less; of argos it is.
 TEST(JudgeBoxes, AccountsForWhatIsKnownToFail) {
   std::vector<GalleryRobot> robots = good_robots();
   for (std::size_t k = 4; k < 8; ++k) robots[1].walks[k].end.outcome = "stuck";
