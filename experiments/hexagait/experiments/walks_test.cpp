@@ -25,6 +25,13 @@ JudgedWalk well_walked(const std::string& group) {
   return walk;
 }
 
+// Three walks that hold, each after a change of its own.
+std::vector<JudgedWalk> three_walks(const std::string& group, auto change) {
+  std::vector<JudgedWalk> walks(3, well_walked(group));
+  for (JudgedWalk& walk : walks) change(walk.summary);
+  return walks;
+}
+
 // Three walks that hold, and what the judge says once the second one is changed.
 template <class Judge>
 struct Bench {
@@ -91,11 +98,10 @@ TEST(JudgeCommands, WantsNoFallNoViolationAndTheWholeTime) {
 // Off the path as far as is known, neither more nor less, and inside of the feet.
 TEST(JudgeSharpChanges, KnowsHowFarItLeavesThePath) {
   const auto word = [](auto change) {
-    std::vector<JudgedWalk> walks(3, well_walked("sharp change"));
-    for (JudgedWalk& walk : walks) {
-      walk.summary.lateral_max = 0.035;
-      walk.summary.margin_min = 0.05;
-    }
+    std::vector<JudgedWalk> walks = three_walks("sharp change", [](auto& s) {
+      s.lateral_max = 0.035;
+      s.margin_min = 0.05;
+    });
     change(walks[1].summary);
     return judge_sharp_changes(walks).word();
   };
@@ -122,14 +128,14 @@ TEST(JudgePlant, WantsAllToArriveWithoutAFall) {
 // Flights and lost contacts are expected as many as they are: neither more nor less goes unnoticed.
 TEST(JudgeFirstWalk, WantsThePathAndAccountsForFlightsAndLosses) {
   const auto word = [](auto change) {
-    std::vector<JudgedWalk> walks(3, well_walked("first walk"));
-    for (JudgedWalk& walk : walks) {
-      walk.summary.steps = 50;
-      walk.summary.neighbour_flight = 0.3;
-      walk.summary.real_contact_losses = 2;
-      change(walk.summary);
-    }
-    return judge_first_walk(walks).word();
+    return judge_first_walk(three_walks("first walk",
+                                        [&](auto& s) {
+                                          s.steps = 50;
+                                          s.neighbour_flight = 0.3;
+                                          s.real_contact_losses = 2;
+                                          change(s);
+                                        }))
+        .word();
   };
   EXPECT_EQ(word([](auto&) {}), "as expected, does not hold");
   EXPECT_EQ(word([](auto& s) { s.fell = true; }), "FAILS");

@@ -65,17 +65,17 @@ WorkspaceLeft workspace_left(const Vector2& offset, const Vector2& direction, do
   return {std::max(0.0, b + root), std::max(0.0, -b + root)};
 }
 
-// An edge of the support polygon: how far inside of it the centre of mass is [m], and how much
-// closer it comes per metre of path.
+// An edge of the support polygon, and how far inside of it the centre of mass is [m].
 struct Edge {
   Vector2 inwards;
-  double distance, approach;
+  double distance;
 };
 
 // The support polygon seen along gravity: axes of odom, origin at the body's.
 struct SupportEdges {
   InlineArray<Edge, kMaxLegs> edges;
-  double height = 0.0;  // of the centre of mass over the feet that stand [m]
+  Vector2 along = Vector2::Zero();  // way of the centre of mass per metre of path
+  double height = 0.0;              // of the centre of mass over the feet that stand [m]
 
   [[nodiscard]] bool has_inside() const { return edges.size() > 2; }
 };
@@ -86,17 +86,27 @@ SupportEdges support_edges(const PathArc& arc, const Executor& executor, LegSet 
   const SupportPolygon polygon = support_polygon(feet, support);
 
   const Vector2 along = direction_at(arc, executor.p_BM());
-  const Vector2 direction = (R_OB * Vector3(along.x(), along.y(), 0.0)).head<2>();
   SupportEdges edges{InlineArray<Edge, kMaxLegs>(polygon.size)};
+  edges.along = (R_OB * Vector3(along.x(), along.y(), 0.0)).head<2>();
   for (int k = 0; k < polygon.size; ++k) {
     const auto [from, inwards] = edge_of(polygon, k);
-    edges.edges[k] = {inwards, inwards.dot(p_M - from), -inwards.dot(direction)};
+    edges.edges[k] = {inwards, inwards.dot(p_M - from)};
   }
   double feet_z = 0.0;
-  for (LegId i = 0; i < executor.legs().size(); ++i)
-    if (support.contains(i)) feet_z += (R_OB.row(2) * executor.legs()[i].p_BF).value();
+  for (LegId i = 0; i < feet.size(); ++i)
+    if (support.contains(i)) feet_z += feet[i].z();
   edges.height = (R_OB.row(2) * executor.p_BM()).value() - feet_z / support.size();
   return edges;
+}
+
+// How many times `way` the centre of mass may go until it is only `margin` inside of an edge; not less
+// than 0.
+double times_inside(const SupportEdges& polygon, const Vector2& way, double margin) {
+  double times = std::numeric_limits<double>::infinity();
+  for (const Edge& edge : polygon.edges)
+    if (const double approach = -edge.inwards.dot(way); approach > 0.0)
+      times = std::min(times, (edge.distance - margin) / approach);
+  return std::max(0.0, times);
 }
 
 // Path, ahead (sense 1) or back (−1), until the centre of mass comes closer than `margin` to an edge
@@ -105,12 +115,7 @@ SupportEdges support_edges(const PathArc& arc, const Executor& executor, LegSet 
 // for as long as it stays near the line between them: until it is `margin` beyond it.
 double stability_left(const SupportEdges& polygon, double margin, double sense) {
   if (polygon.edges.size() < 2) return 0.0;
-  const double least = polygon.has_inside() ? margin : -margin;
-  double left = std::numeric_limits<double>::infinity();
-  for (const Edge& edge : polygon.edges)
-    if (sense * edge.approach > 0.0)
-      left = std::min(left, (edge.distance - least) / (sense * edge.approach));
-  return std::max(0.0, left);
+  return times_inside(polygon, sense * polygon.along, polygon.has_inside() ? margin : -margin);
 }
 
 // Displacement in the body frame that gives a centre of mass its margin back, where it has lost it:
@@ -130,11 +135,7 @@ double braking_within(const SupportEdges& polygon, const Matrix3& R_OB, const Ve
   const double speed = motion.norm();
   if (!polygon.has_inside() || !(speed > 0.0) || !(polygon.height > 0.0)) return 0.0;
   const Vector2 ahead = R_OB.topLeftCorner<2, 2>() * motion / speed;
-  double way = std::numeric_limits<double>::infinity();
-  for (const Edge& edge : polygon.edges)
-    if (const double closer = -edge.inwards.dot(ahead); closer > 0.0)
-      way = std::min(way, (edge.distance - margin) / closer);
-  return std::max(0.0, way) * gravity / polygon.height;
+  return times_inside(polygon, ahead, margin) * gravity / polygon.height;
 }
 
 // A correction must not take a centre of mass that is at an edge farther out.

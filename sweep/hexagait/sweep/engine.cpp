@@ -158,12 +158,6 @@ const std::vector<Column> kOdeColumns =
                   {"contact_losses", "contact losses", ""},
                   {"real_contact_losses", "real contact losses", ""}});
 
-// Which leg a robot that is stuck waits for, without what may help.
-std::string cause(const walk::Hindrance& hindrance, const RobotModel& robot) {
-  const std::string words = in_words(hindrance, robot);
-  return words.substr(0, words.find("; what may help"));
-}
-
 std::string run_ode(const TrialConfig& config) {
   recording::Simulation simulation;
   simulation.terrain = sim3d::parse_terrain(config.terrain);
@@ -177,7 +171,7 @@ std::string run_ode(const TrialConfig& config) {
 
   const walk::Summary s = recording::simulate(*config.robot, simulation);
   return walk_row(
-      s, config.limits, cause(s.hindrance, *config.robot),
+      s, config.limits, cause_in_words(s.hindrance, *config.robot),
       fmt::format("{},{},{},{},{},{},{},{},{},{}", s.lateral_mean, s.lateral_max, s.heading_max,
                   s.slip_mean, number(s.slip_p95), s.margin_min, number(s.cost_of_transport),
                   s.neighbour_flight, s.contact_losses, s.real_contact_losses));

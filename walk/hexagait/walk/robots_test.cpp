@@ -18,14 +18,17 @@ using heading_control::Turn;
 
 class Robots : public ::testing::TestWithParam<const char*> {
  protected:
-  [[nodiscard]] Summary walked(const Heading& heading, double seconds, double distance) const {
+  [[nodiscard]] Summary walked(const TrialOptions& options) const {
     sim3d::World world(robot_, {}, {}, nominal_posture(robot_));
     footstep_gen::Walker walker(robot_);
+    return run_trial(walker, world, world.truth(), options);
+  }
+  [[nodiscard]] Summary walked(const Heading& heading, double seconds, double distance) const {
     TrialOptions options;
     options.schedule = {{0.0, heading, {}}};
     options.seconds = seconds;
     options.distance = distance;
-    return run_trial(walker, world, world.truth(), options);
+    return walked(options);
   }
 
   const RobotModel robot_ =
@@ -60,13 +63,11 @@ TEST_P(Robots, TurnInPlace) {
 /// Straight on at full speed, then in place, wherever the legs are.
 TEST_P(Robots, TurnSharplyWithoutLeavingTheirPath) {
   for (const double share : {15.0, 15.7, 16.4}) {
-    sim3d::World world(robot_, {}, {}, nominal_posture(robot_));
-    footstep_gen::Walker walker(robot_);
     TrialOptions options;
     options.schedule = {{0.0, Heading::straight(0.0), {}},
                         {share * scale_.time, Heading::spin(Turn::ccw), {}}};
     options.seconds = (share + 6.0) * scale_.time;
-    const Summary s = run_trial(walker, world, world.truth(), options);
+    const Summary s = walked(options);
     EXPECT_TRUE(s.ok()) << in_words(s.hindrance, robot_);
     EXPECT_LT(s.lateral_max, 0.05 * length_) << share;
   }

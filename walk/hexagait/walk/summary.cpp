@@ -43,13 +43,17 @@ Advice advice(LegPhase phase) {
 
 }  // namespace
 
-std::string in_words(const Hindrance& hindrance, const RobotModel& robot) {
-  const auto [what, help] = advice(hindrance.phase);
+std::string cause_in_words(const Hindrance& hindrance, const RobotModel& robot) {
   const std::string collisions =
       hindrance.retreats > 0 ? fmt::format(", after {} collisions", hindrance.retreats) : "";
-  return fmt::format("leg {} has been in {} for {:.1f} s{}: {}; what may help: {}",
-                     robot.legs[hindrance.leg].name, to_string(hindrance.phase), hindrance.seconds,
-                     collisions, what, help);
+  return fmt::format("leg {} has been in {} for {:.1f} s{}: {}", robot.legs[hindrance.leg].name,
+                     to_string(hindrance.phase), hindrance.seconds, collisions,
+                     advice(hindrance.phase).what);
+}
+
+std::string in_words(const Hindrance& hindrance, const RobotModel& robot) {
+  return fmt::format("{}; what may help: {}", cause_in_words(hindrance, robot),
+                     advice(hindrance.phase).help);
 }
 
 std::string in_words(const footstep_gen::Escape& escape, const RobotModel& robot) {

@@ -20,7 +20,10 @@ struct Hindrance {
   int retreats = 0;                    ///< collisions in its present step
 };
 
-/// "leg LF rises or transfers for 4.2 s …", and what would help.
+/// "leg LF has been in descend for 4.2 s: it finds no ground, …".
+[[nodiscard]] std::string cause_in_words(const Hindrance& hindrance, const RobotModel& robot);
+
+/// The same, and what may help.
 [[nodiscard]] std::string in_words(const Hindrance& hindrance, const RobotModel& robot);
 
 /// "deadlock: body moves 4 cm left; after its neighbours RF steps": what a robot did to get out of one, or

@@ -28,6 +28,16 @@ PlanarTwist wanted_velocity(const BaseAutoCommand& command, const BaseGoal& goal
   return {speed * command.path.v + v, speed * command.path.w + w};
 }
 
+// A change of velocity that is bounded at the outermost foot.
+void approach(BaseLane& lane, const PlanarTwist& wanted, double dt, const BaseParams& params) {
+  const Vector2 dv = wanted.v - lane.planar.v;
+  const double dw = wanted.w - lane.planar.w;
+  const double change = dv.norm() + params.outer_radius * std::abs(dw);
+  const double share = change > params.acceleration * dt ? params.acceleration * dt / change : 1.0;
+  lane.planar.v += share * dv;
+  lane.planar.w += share * dw;
+}
+
 // (base 2). @returns whether the base does nothing else in this tick
 bool brake_off_path(BaseLane& lane, const BaseAutoCommand& command, double dt,
                     const BaseParams& params) {
@@ -63,18 +73,8 @@ void scale(BaseLane& lane, double share) noexcept {
 
 void advance(BaseLane& lane, const BaseAutoCommand& command, const BaseGoal& goal, double dt,
              const BaseParams& params) noexcept {
-  if (!brake_off_path(lane, command, dt, params)) {
-    const PlanarTwist wanted = wanted_velocity(command, goal, dt, params);
-
-    // Bounded change of velocity, measured at the outermost foot.
-    const Vector2 dv = wanted.v - lane.planar.v;
-    const double dw = wanted.w - lane.planar.w;
-    const double change = dv.norm() + params.outer_radius * std::abs(dw);
-    const double most = params.acceleration * dt;
-    const double share = change > most ? most / change : 1.0;
-    lane.planar.v += share * dv;
-    lane.planar.w += share * dw;
-  }
+  if (!brake_off_path(lane, command, dt, params))
+    approach(lane, wanted_velocity(command, goal, dt, params), dt, params);
 
   const auto slew = [dt, &params](double& velocity, double error, double bound, double arm) {
     const double most = params.acceleration / arm;

@@ -77,7 +77,7 @@ void draw(figures::StagedFiles& files, const ExperimentContext& context,
 // The first that can stand.
 void show_one(const ExperimentContext& context, std::span<const RobotTrial> trials) {
   const auto first = std::ranges::find_if(trials, &RobotTrial::stands);
-  if (context.spectator == nullptr || first == trials.end()) return;
+  if (first == trials.end()) return;
   const RobotModel robot = parse_urdf(random_robot(first->seed).urdf, "random robot");
   const RobotScale scale = scale_of(robot);
   show(robot, walk_of(straight_on(scale), scale), context);

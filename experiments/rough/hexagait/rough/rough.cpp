@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <hexagait/experiments/walks.hpp>
 #include <hexagait/rough/rough.gp.hpp>
 #include <hexagait/rough/rough.hpp>
 #include <hexagait/rough/tally.hpp>
@@ -102,14 +103,11 @@ void draw(figures::StagedFiles& files, const ExperimentContext& context,
 // The free gait over boxes of a third of the reach of a leg.
 void show_one(const ExperimentContext& context) {
   const RoughSize size = rough_size(*context.robot, context.seeds, false);
-  recording::Simulation simulation;
-  simulation.terrain =
-      sim3d::parse_terrain(fmt::format("boxes:{:g}", size.heights[size.heights.size() / 2]));
-  simulation.trial.schedule = {{0.0, heading_control::Heading::straight(0.0)}};
-  simulation.trial.distance = size.distance;
-  simulation.trial.seconds = size.seconds;
-  simulation.plant = context.plant;
-  show(*context.robot, simulation, context);
+  JudgedWalk walk = over_terrain(fmt::format("boxes:{:g}", size.heights[size.heights.size() / 2]),
+                                 1, size.distance)
+                        .front();
+  walk.simulation.plant = context.plant;
+  show(*context.robot, walk.simulation, context);
 }
 
 }  // namespace

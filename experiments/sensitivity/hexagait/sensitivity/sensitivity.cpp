@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <hexagait/experiments/walk_checks.hpp>
+#include <hexagait/experiments/walks.hpp>
 #include <hexagait/figures/csv.hpp>
 #include <hexagait/recording/plant_setup.hpp>
 #include <hexagait/sensitivity/costs.hpp>
@@ -166,17 +167,6 @@ figures::Csv table(const std::vector<PlantCost>& all) {
   return table;
 }
 
-void show_one(const ExperimentContext& context) {
-  const PageHead head = experiments::head(false);
-  recording::Simulation simulation;
-  simulation.terrain = sim3d::parse_terrain(kBoxes);
-  simulation.trial.schedule = {{0.0, heading_control::Heading::straight(0.0)}};
-  simulation.trial.distance = head.distance;
-  simulation.trial.seconds = head.seconds;
-  simulation.plant = recording::parse_plant("real");
-  show(*context.robot, simulation, context);
-}
-
 }  // namespace
 
 Outcome sensitivity(const ExperimentContext& context, figures::StagedFiles& files) {
@@ -191,8 +181,9 @@ Outcome sensitivity(const ExperimentContext& context, figures::StagedFiles& file
   const std::vector<Cost> on_boxes = walk(context, boxes, 1.0 - share, share);
   if (on_boxes.empty()) return {};
 
-  show_one(context);
-
+  show(*context.robot,
+       over_terrain(kBoxes, 1, experiments::head(false).distance, "real").front().simulation,
+       context);
   std::vector<PlantCost> all;
   for (std::size_t k = 0; k < flat.plants.size(); ++k)
     all.push_back({flat.plants[k].name, on_flat[k], on_boxes[k]});
