@@ -11,6 +11,7 @@ namespace hexagait::testing {
 inline void round_walk(RobotParams& p) {
   p.step.stroke = 0.20;
   p.step.height = 0.10;
+  p.step.level_height = 0.5;
   p.step.max_height = 0.22;
   p.step.stability_margin = 0.03;
   p.step.lift_margin = 0.06;

@@ -107,6 +107,9 @@ void keep_out(BaseAutoCommand& base, const Escape& escape) noexcept {
   if (escape.phase == EscapePhase::none) return;
   base.min_advance = 0.0;
   if (escape.phase != EscapePhase::steps) base.max_advance = 0.0;
+  // The leg that goes on trying would raise and lower a body that stands, and along its own axis it creeps.
+  if (escape.phase == EscapePhase::gave_up)
+    base.adaptation = [](const BaseAutoCommand&, const PoseAdaptationInput&) { return BaseGoal{}; };
 }
 
 }  // namespace hexagait::footstep_gen

@@ -7,6 +7,7 @@
 #include <hexagait/executor/tick_motion.hpp>
 #include <hexagait/footstep_gen/detail/rear_edge.hpp>
 #include <hexagait/footstep_gen/detail/stance_from_above.hpp>
+#include <hexagait/footstep_gen/roughness.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/gait_state/ring.hpp>
 #include <hexagait/math/trigonometry.hpp>
@@ -43,6 +44,8 @@ WalkerParams checked(const WalkerParams& params) {
       {"tie_tolerance [m]", params.gait.tie_tolerance},
   };
   require_not_negative(violations, not_negative);
+  require(violations, "level_height", step.level_height,
+          step.level_height > 0.0 && step.level_height <= 1.0, "greater than 0 and at most 1");
   violations.throw_if_any();
   return params;
 }
@@ -362,6 +365,10 @@ LiftGateDecision Walker::gate() noexcept {
 
 void Walker::command() noexcept {
   const double half_step = walks() ? 0.5 * params_.step.stroke : 0.0;
+  StepParams step = params_.step;
+  // The period of a wave is that of its longest step: shorter ones would only wait.
+  if (params_.stepper.stepping != gait_state::Stepping::wave)
+    step = on_ground(step, height_spread(record_.state.print_O));
   record_.path_to_come = path_to_come(record_.arc, executor_, half_step, path_pose());
   // With a leg lost the base waits for balance more often, and feet would land too far ahead of it.
   if (!lost_legs().empty())
@@ -373,7 +380,7 @@ void Walker::command() noexcept {
     if (!in_air && !record_.lifts.contains(i)) continue;
     record_.footsteps[i] =
         footstep(*model_, executor_.stance(), record_.arc, record_.state, i, half_step,
-                 share_to_come(i) * record_.path_to_come, params_.step, path_pose());
+                 share_to_come(i) * record_.path_to_come, step, path_pose());
     executor_.command(record_.footsteps[i], record_.state);
   }
   // While it crawls its footholds keep to the path; the body follows them.
@@ -385,7 +392,6 @@ void Walker::command() noexcept {
   if (escape.phase != EscapePhase::none) back = escape.left;
   // A crawling base stays as far inside as the leg waited for: braking takes the zero-moment point out by
   // more than the margin of many legs, and the leg on the other side would lose contact.
-  StepParams step = params_.step;
   if (sways) step.stability_margin = std::max(step.stability_margin, step.lift_margin);
   record_.base_auto = base_auto(*model_, record_.arc, executor_, record_.state.X_OB, back, step);
   keep_out(record_.base_auto, escape);

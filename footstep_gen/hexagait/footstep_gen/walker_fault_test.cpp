@@ -176,7 +176,7 @@ TEST(WalkerFault, CoastsWhileThePlantIsLateAndGoesOn) {
 
 // From 0.6 m/s the base stops within 0.5 s, from 2 m/s a foot within 0.33 s.
 TEST(WalkerFault, GivesUpWhenThePlantIsLateForTooLongAndComesToRest) {
-  for (int ticks = 300; ticks < 800; ticks += 111) {
+  for (int ticks = 300; ticks < 800; ticks += 37) {
     Walk walk;
     walk.walk(ticks);
     int periods = 0;

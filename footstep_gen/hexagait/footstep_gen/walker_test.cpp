@@ -399,6 +399,35 @@ TEST(WalkerSensors, AreNotNeededToWalk) {
   }
 }
 
+// (step 2) Level up to x = 1 m, then in cells of 0.3 m that are 0 or 8 cm high: more than the half of 10 cm
+// that the steps before have saved.
+TEST(Walker, TakesLowerStepsOnLevelGround) {
+  Walk walk(argos(), 0.0);
+  walk.plant.ground = [](const Vector2& p_O) {
+    const long cell = std::lround(p_O.x() / 0.3) + std::lround(p_O.y() / 0.3);
+    return p_O.x() < 1.0 || cell % 2 == 0 ? 0.0 : 0.08;
+  };
+  const StepParams& step = walk.walker.params().step;
+  const auto footsteps = [&walk](double from, double to) {
+    std::vector<FootstepCommand> steps;
+    while (walk.place().x() < to) {
+      const TickRecord& record = walk.tick(Heading::straight(0.0));
+      for (LegId i = 0; i < 6; ++i)
+        if (record.lifts.contains(i) && walk.place().x() > from)
+          steps.push_back(record.footsteps[i]);
+    }
+    return steps;
+  };
+  const std::vector<FootstepCommand> level = footsteps(0.0, 0.25);
+  ASSERT_GT(level.size(), 3U);
+  for (const FootstepCommand& taken : level)
+    EXPECT_NEAR(taken.profile_height, step.level_height * step.height, 1e-3);
+  const std::vector<FootstepCommand> rough = footsteps(1.8, 2.6);
+  ASSERT_GT(rough.size(), 8U);
+  for (const FootstepCommand& taken : rough)
+    EXPECT_GE(taken.profile_height, step.height) << "of leg " << taken.leg;
+}
+
 // A velocity command is a path and a limit of the speed along it.
 TEST(Walker, KeepsToTheSpeedOfAVelocityCommand) {
   Walk walk(argos());

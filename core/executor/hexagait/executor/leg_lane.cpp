@@ -15,6 +15,9 @@ constexpr double kCloser = 0.6;
 constexpr double kCarries = 0.1;
 // Of the search for a foothold, in times that a foot moves back in a retreat.
 constexpr double kSearchWidth = 2.0;
+// Deceleration of a foot that coasts, of that of the descent: as hard as a swing brakes at the end of its
+// way, so that it does not run into the end of a joint beyond.
+constexpr double kCoasting = 2.0;
 
 // Has a timer that counts in control periods reached its time?
 bool elapsed(double time, double limit) { return time > limit - kTimeTolerance; }
@@ -427,7 +430,7 @@ void coast(LegLane& lane, const Pose& X_OB, double dt, const SwingParams& params
   lane.a_O *= 1.0 - decay_share(dt / kMinTimeToGo);
   const double speed = lane.v_O.norm();
   if (lane.on_ground() || speed <= 0.0) return;
-  const AxisMotion motion = slewing_tick(speed, 0.0, params.vertical_acceleration, dt);
+  const AxisMotion motion = slewing_tick(speed, 0.0, kCoasting * params.vertical_acceleration, dt);
   lane.p_BF += X_OB.R.transpose() * (lane.v_O * (motion.way / speed));
   lane.v_O *= motion.v / speed;
 }

@@ -21,8 +21,11 @@ struct StepParams {
   /// Path of the body between two landings of one foot, at the farthest workspace centre [m]. Half
   /// of it is the AEP's distance from the centre. Longer: faster, until the workspaces limit it.
   double stroke = kDerived;
-  /// Clearance of the swing [m]. Higher: climbs higher steps, walks more slowly.
+  /// Clearance of the swing over rough ground [m]. Higher: climbs higher steps, walks more slowly.
   double height = kDerived;
+  /// Share of `height` on level ground, by (step 2). 1: the same everywhere. Smaller: faster, but the
+  /// first edge is found by running into it.
+  double level_height = kDerived;
   /// Clearance added per metre by which another foot's last footprint is higher [m/m]: after one
   /// step in the ground, others are likely. 0: the foot collides with edges higher than the
   /// clearance.
