@@ -174,7 +174,7 @@ TEST(WalkerFault, CoastsWhileThePlantIsLateAndGoesOn) {
   }
 }
 
-// From 0.6 m/s the base stops within 0.5 s, from 2 m/s a foot within 0.33 s.
+// From 0.6 m/s the base stops within 0.5 s, from 2 m/s a foot within 0.17 s.
 TEST(WalkerFault, GivesUpWhenThePlantIsLateForTooLongAndComesToRest) {
   for (int ticks = 300; ticks < 800; ticks += 37) {
     Walk walk;

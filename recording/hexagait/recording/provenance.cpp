@@ -27,7 +27,7 @@ void append(Parameters& to, const std::string& prefix, const Parameters& more) {
 // "m/s²" as the ending of a name: "_m_s2".
 std::string suffix(std::string_view unit) {
   if (unit == "1") return "";
-  std::string text = unit.empty() ? "" : "_";
+  std::string text = "_";
   for (const char letter : unit) {
     if (letter == '/' || letter == ' ') text += '_';
     if (std::isalnum(static_cast<unsigned char>(letter)) != 0)

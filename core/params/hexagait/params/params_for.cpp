@@ -129,7 +129,7 @@ using enum ScaleOf;
 constexpr Parameter kParameters[] = {
     {"step.stroke", "m", kStroke, reach, [](P& p) -> double& { return p.step.stroke; }},
     {"step.height", "m", kHeight, reach, [](P& p) -> double& { return p.step.height; }},
-    {"step.level_height", "", 0.5, none, [](P& p) -> double& { return p.step.level_height; }},
+    {"step.level_height", "1", 0.5, none, [](P& p) -> double& { return p.step.level_height; }},
     {"step.max_height", "m", 1.0, reach, [](P& p) -> double& { return p.step.max_height; }},
     {"step.stability_margin", "m", 0.03, size,
      [](P& p) -> double& { return p.step.stability_margin; }},

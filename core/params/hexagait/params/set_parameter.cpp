@@ -34,8 +34,7 @@ void set_parameter(RobotParams& params, std::string_view text) {
   if (!problem.empty()) throw InvalidInput(std::string(parameter.name) + ": " + problem);
   if (!(value > 0.0))
     throw InvalidInput(std::string(parameter.name) + " is " + std::string(text.substr(equals + 1)) +
-                       "; it must be greater than 0" +
-                       (*parameter.unit == '\0' ? "" : " [" + std::string(parameter.unit) + "]"));
+                       "; it must be greater than 0 [" + parameter.unit + "]");
   parameter.in(params) = value;
 }
 
