@@ -87,7 +87,7 @@ TEST(Trial, ShowsEveryTickToItsObserver) {
 TEST(Trial, WalksAlongTheCommandedArc) {
   // Where a foot runs into an edge a walk may lose half of its time.
   double distance = 0.0;
-  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
     const Summary s = walk_for(arc_for(5.0), seed);
     EXPECT_TRUE(s.ok());
     EXPECT_GT(s.steps, 12);
