@@ -32,7 +32,7 @@ int run_command(const ActionArguments& arguments);
 
 /// `hexagait experiment` as it was typed.
 struct ExperimentArguments {
-  std::string name;  ///< empty: only the list
+  std::vector<std::string> names;  ///< or "all"; none: only the list
   std::string out = "results";
   std::string title = "auto";  ///< of the figures; or none
   std::string jobs;            ///< empty: one per core

@@ -27,15 +27,20 @@ using experiments::Experiment;
 using experiments::ExperimentContext;
 using experiments::Manifest;
 
-std::vector<Experiment> chosen(const std::string& name) {
+std::vector<Experiment> chosen(const std::vector<std::string>& wanted) {
   const std::vector<Experiment>& all = experiments::experiments();
-  if (name == "all") return all;
-  const auto found = std::ranges::find(all, name, &Experiment::name);
-  if (found != all.end()) return {*found};
   std::vector<std::string> names = {"all"};
   for (const Experiment& experiment : all) names.push_back(experiment.name);
-  throw InvalidInput(fmt::format("the experiment is '{}'{}; it must be one of {}", name,
-                                 did_you_mean(name, names), fmt::join(names, ", ")));
+  std::vector<Experiment> selection;
+  for (const std::string& name : wanted) {
+    const auto found = std::ranges::find(all, name, &Experiment::name);
+    if (found != all.end())
+      selection.push_back(*found);
+    else if (name != "all")
+      throw InvalidInput(fmt::format("the experiment is '{}'{}; it must be one of {}", name,
+                                     did_you_mean(name, names), fmt::join(names, ", ")));
+  }
+  return std::ranges::find(wanted, "all") == wanted.end() ? selection : all;
 }
 
 // The plant that was typed, if all of these experiments walk on it.
@@ -84,7 +89,8 @@ ReplayOutput replay_of(const std::vector<Experiment>& selection,
   if (!replay.wanted()) return replay;
   const char* const option = arguments.html.empty() ? "--record" : "--html";
   if (selection.size() > 1)
-    throw InvalidInput(fmt::format("{} shows one walk; name one experiment, not all", option));
+    throw InvalidInput(fmt::format("{} shows one walk; name one experiment, not {}", option,
+                                   arguments.names.size() > 1 ? "several" : "all"));
   if (!selection.front().shows.empty()) return replay;
   std::vector<std::string> others;
   for (const Experiment& other : experiments::experiments())
@@ -110,8 +116,8 @@ void print(const Manifest& manifest, const std::filesystem::path& out) {
 }  // namespace
 
 int experiment_command(const ExperimentArguments& arguments) {
-  if (arguments.list || arguments.name.empty()) return list_command("experiments", arguments.json);
-  const std::vector<Experiment> selection = chosen(arguments.name);
+  if (arguments.list || arguments.names.empty()) return list_command("experiments", arguments.json);
+  const std::vector<Experiment> selection = chosen(arguments.names);
   const recording::PlantSetup plant = plant_for(selection, arguments.plant);
   const std::uint64_t robots = how_many("--robots", arguments.robots, "random_robots", selection);
   const std::uint64_t seeds = how_many("--seeds", arguments.seeds, "rough", selection);
@@ -150,7 +156,7 @@ int experiment_command(const ExperimentArguments& arguments) {
     for (const auto& [option, file] : replay.files())
       print_out(fmt::format("  {}: {}\n", selection.front().shows, file->path.string()));
 
-  if (arguments.name == "all") experiments::write_page(manifests, arguments.out);
+  if (selection.size() > 1) experiments::write_page(manifests, arguments.out);
 
   bool well = true;
   for (const Manifest& manifest : manifests) well = well && manifest.is_accounted_for();

@@ -34,9 +34,9 @@ void add_experiment(CLI::App& app, ExperimentArguments& a) {
       "  hexagait experiment rough --seeds 20 --out results\n"
       "  hexagait experiment fig9 --html fig9.html       the walk as a page; see docs/replay.md\n\n"
       "Exit status: 0 every claim holds, or fails within the band that is declared for it; 1 one\n"
-      "does not, or holds unexpectedly; 2 bad usage or input; 130 Ctrl-C. `all` also writes "
-      "index.html, a page that shows them.");
-  experiment->add_option("name", a.name, "Which: see hexagait list experiments")
+      "does not, or holds unexpectedly; 2 bad usage or input; 130 Ctrl-C. Several, or `all`, also\n"
+      "write index.html, a page that shows them.");
+  experiment->add_option("name", a.names, "Which: see hexagait list experiments")
       ->type_name("NAME|all");
   experiment->add_option("--out", a.out, "Directory; a directory per experiment is made in it")
       ->type_name("DIR")
