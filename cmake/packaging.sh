@@ -15,18 +15,41 @@ declare -A kForeign=(
   [viewer]='fmt yaml-cpp box2d ode libpng zlib tinyxml2 assimp libwebsockets libcap'
   [sweeps]='fmt yaml-cpp box2d ode libpng zlib tinyxml2 assimp')
 
+# What pkg-config sees; each of several configurations at a time has its own.
+visible=$PWD/build/visible
+
+# in_lanes COMMAND ARGUMENT…: runs the command with each argument, as many at a time as there are
+# processors: what configures uses only one. Prints their outputs one after another, and those that
+# failed once more at the end.
+in_lanes() {
+  local command=$1 argument logs=$PWD/build/lanes k running=() failed=()
+  shift
+  rm -rf "$logs"
+  mkdir -p "$logs"
+  for argument; do
+    while (($(jobs -rp | wc -l) >= $(nproc))); do sleep 0.05; done
+    "$command" "$argument" >"$logs/${#running[@]}" 2>&1 &
+    running+=($!)
+  done
+  for k in "${!running[@]}"; do
+    wait "${running[k]}" || failed+=("$logs/$k")
+    cat "$logs/$k"
+  done
+  ((${#failed[@]} == 0)) || { tail -n 40 "${failed[@]}"; return 1; }
+}
+
 # hide_but LIBRARY…: prints options that hide all foreign libraries but these from find_package, and
-# leaves of pkg-config's files in build/visible those of these.
+# leaves of pkg-config's files in $visible those of these.
 hide_but() {
   local library file
   for library in fmt yaml-cpp box2d Boost nlohmann_json CLI11 GTest rapidcheck benchmark; do
     [[ " $* " == *" $library "* ]] || printf -- '-DCMAKE_DISABLE_FIND_PACKAGE_%s=ON\n' "$library"
   done
-  rm -rf build/visible
-  mkdir -p build/visible
+  rm -rf "$visible"
+  mkdir -p "$visible"
   for library in eigen3 "$@"; do
     for file in /usr/{lib,lib/*,share}/pkgconfig/"$library"*.pc; do
-      [[ ! -f $file ]] || sed "s|\${pcfiledir}|${file%/*}|" "$file" >"build/visible/${file##*/}"
+      [[ ! -f $file ]] || sed "s|\${pcfiledir}|${file%/*}|" "$file" >"$visible/${file##*/}"
     done
   done
 }
@@ -34,60 +57,71 @@ hide_but() {
 # none COMMAND…: fails if the command finds something.
 none() { ! "$@"; }
 
-# configure DIR OPTION…: only what is in build/visible is there for pkg-config.
+# configure DIR OPTION…: only what is in $visible is there for pkg-config.
 configure() {
-  PKG_CONFIG_LIBDIR=$PWD/build/visible cmake -S . -B "$1" -G Ninja -DCMAKE_CXX_COMPILER=g++ \
+  PKG_CONFIG_LIBDIR=$visible cmake -S . -B "$1" -G Ninja -DCMAKE_CXX_COMPILER=g++ \
     -DHEXAGAIT_WERROR=ON -DHEXAGAIT_TOOLS=OFF -DHEXAGAIT_TESTS=OFF "${@:2}"
 }
 
-# Each combination of the switches that makes sense: what is off is not even looked for.
+# combination "URDF ACTIONS SIM2D SIM3D FIGURES VIEWER SWEEPS", each ON or OFF: what is off is not even
+# looked for. As deep as build/release, or ccache finds nothing.
+combination() {
+  local urdf actions sim2d sim3d figures viewer sweeps meshes=OFF dir=build/combination-${1// /-}
+  local visible=$PWD/$dir.visible libraries=() hidden
+  read -r urdf actions sim2d sim3d figures viewer sweeps <<<"$1"
+  [[ $urdf == OFF ]] || libraries+=(tinyxml2 fmt)  # fmt: verify, below
+  [[ $urdf$actions != ONON ]] || { meshes=ON; libraries+=(assimp); }
+  [[ $actions == OFF ]] || libraries+=(fmt yaml-cpp)
+  [[ $sim2d == OFF ]] || libraries+=(box2d)
+  [[ $sim3d == OFF ]] || libraries+=(ode)
+  [[ $figures == OFF ]] || libraries+=(Boost nlohmann_json)
+  [[ $viewer == OFF ]] || libraries+=(libwebsockets libcap zlib)  # libcap: libwebsockets.pc asks for it
+  mapfile -t hidden < <(hide_but "${libraries[@]}")
+  configure "$dir" "${hidden[@]}" -DHEXAGAIT_URDF=$urdf -DHEXAGAIT_VERIFY=$urdf -DHEXAGAIT_MESHES=$meshes \
+    -DHEXAGAIT_ACTIONS=$actions -DHEXAGAIT_SIM2D=$sim2d -DHEXAGAIT_SIM3D=$sim3d \
+    -DHEXAGAIT_FIGURES=$figures -DHEXAGAIT_VIEWER=$viewer -DHEXAGAIT_SWEEPS=$sweeps \
+    -DHEXAGAIT_PAGE=OFF
+  cmake --build "$dir"
+  rm -rf "$dir" "$visible"
+}
+
+# Each combination of the switches that makes sense.
 check_combinations() {
-  local dir=build/combination urdf actions sim2d sim3d figures viewer sweeps meshes count=0 libraries hidden
+  local urdf actions sim2d sim3d figures viewer sweeps combinations=()
+  rm -rf build/combination-*
   for urdf in ON OFF; do for actions in ON OFF; do for sim2d in ON OFF; do for sim3d in ON OFF; do
     for figures in ON OFF; do for viewer in ON OFF; do for sweeps in ON OFF; do
       [[ $figures == OFF || $actions$sim2d$sim3d == ONONON ]] || continue
       [[ $viewer == OFF || $figures == ON ]] || continue
       [[ $sweeps == OFF || $figures$urdf == ONON ]] || continue
-      libraries=()
-      [[ $urdf == OFF ]] || libraries+=(tinyxml2 fmt)  # fmt: verify, below
-      meshes=OFF
-      [[ $urdf$actions != ONON ]] || { meshes=ON; libraries+=(assimp); }
-      [[ $actions == OFF ]] || libraries+=(fmt yaml-cpp)
-      [[ $sim2d == OFF ]] || libraries+=(box2d)
-      [[ $sim3d == OFF ]] || libraries+=(ode)
-      [[ $figures == OFF ]] || libraries+=(Boost nlohmann_json)
-      [[ $viewer == OFF ]] || libraries+=(libwebsockets libcap zlib)  # libcap: libwebsockets.pc asks for it
-      mapfile -t hidden < <(hide_but "${libraries[@]}")
-      rm -rf "$dir"
-      configure "$dir" "${hidden[@]}" -DHEXAGAIT_URDF=$urdf -DHEXAGAIT_VERIFY=$urdf -DHEXAGAIT_MESHES=$meshes \
-        -DHEXAGAIT_ACTIONS=$actions -DHEXAGAIT_SIM2D=$sim2d -DHEXAGAIT_SIM3D=$sim3d \
-        -DHEXAGAIT_FIGURES=$figures -DHEXAGAIT_VIEWER=$viewer -DHEXAGAIT_SWEEPS=$sweeps \
-        -DHEXAGAIT_PAGE=OFF
-      cmake --build "$dir"
-      count=$((count + 1))
+      combinations+=("$urdf $actions $sim2d $sim3d $figures $viewer $sweeps")
     done; done; done
   done; done; done; done
+  in_lanes combination "${combinations[@]}"
   check_refusals
-  printf '%d combinations, 7 refused' "$count" >"$note"
+  printf '%d combinations, %d refused' "${#combinations[@]}" "${#kRefused[@]}" >"$note"
 }
 
 # What makes no sense is refused by one message that names both switches; alone, OFF takes along
 # what needs it.
-check_refusals() {
-  local dir=build/combination pair said
-  hide_but fmt yaml-cpp box2d ode tinyxml2 assimp >/dev/null
-  for pair in FIGURES:ACTIONS FIGURES:SIM2D FIGURES:SIM3D SWEEPS:FIGURES SWEEPS:URDF MESHES:URDF VIEWER:FIGURES; do
-    rm -rf "$dir"
-    if said=$(configure "$dir" "-DHEXAGAIT_${pair%:*}=ON" "-DHEXAGAIT_${pair#*:}=OFF" 2>&1); then
-      printf 'not refused: %s\n' "$pair"
-      return 1
-    fi
-    grep -q "HEXAGAIT_${pair%:*} is ON, but it needs HEXAGAIT_${pair#*:}" <<<"$said" ||
-      { printf '%s\n' "$said"; return 1; }
-  done
+kRefused=(FIGURES:ACTIONS FIGURES:SIM2D FIGURES:SIM3D SWEEPS:FIGURES SWEEPS:URDF MESHES:URDF VIEWER:FIGURES)
+refused() {
+  local dir=build/combination-$1 said
+  if said=$(configure "$dir" "-DHEXAGAIT_${1%:*}=ON" "-DHEXAGAIT_${1#*:}=OFF" 2>&1); then
+    printf 'not refused: %s\n' "$1"
+    return 1
+  fi
+  grep -q "HEXAGAIT_${1%:*} is ON, but it needs HEXAGAIT_${1#*:}" <<<"$said" ||
+    { printf '%s\n' "$said"; return 1; }
   rm -rf "$dir"
+}
+check_refusals() {
+  local dir=build/combination-off
+  hide_but fmt yaml-cpp box2d ode tinyxml2 assimp >/dev/null
+  in_lanes refused "${kRefused[@]}"
   configure "$dir" -DHEXAGAIT_SIM3D=OFF
   grep -q '^HEXAGAIT_SWEEPS:BOOL=OFF' "$dir/CMakeCache.txt"
+  rm -rf "$dir"
 }
 
 install_here() {
@@ -113,11 +147,12 @@ check_headers() {
 # what else there is only what the component may use; by find_package, then by pkg-config.
 consume() {
   local prefix=$PWD/$1 component=$2 dir=build/consumer/$2 hidden allowed pc
+  local visible=$PWD/$dir.visible
   read -ra allowed <<<"${kForeign[$component]:-}"
   mapfile -t hidden < <(hide_but "${allowed[@]}")
   local components=$component
   [[ $component != recording && $component != viewer ]] || components="$component;urdf"
-  PKG_CONFIG_LIBDIR=$PWD/build/visible cmake -S examples/consumer -B "$dir" -G Ninja \
+  PKG_CONFIG_LIBDIR=$visible cmake -S examples/consumer -B "$dir" -G Ninja \
     -DCMAKE_PREFIX_PATH="$prefix" -DCOMPONENTS="$components" "${hidden[@]}"
   cmake --build "$dir"
   ctest --test-dir "$dir" --output-on-failure
@@ -130,7 +165,7 @@ consume() {
   local flags
   pc=$(dirname "$(find "$prefix" -name "hexagait-$component.pc")")
   # shellcheck disable=SC2086  # words on purpose
-  flags=$(PKG_CONFIG_LIBDIR=$pc:$PWD/build/visible \
+  flags=$(PKG_CONFIG_LIBDIR=$pc:$visible \
             pkg-config --cflags --libs hexagait-${components//;/ hexagait-})
   # shellcheck disable=SC2086
   ccache g++ -std=c++20 -c -o "$dir/use.o" "examples/consumer/$component.cpp" $flags
@@ -139,14 +174,16 @@ consume() {
   LD_LIBRARY_PATH=$pc/.. "$dir/by_pkg_config" "$prefix"/share/hexagait/{robots,actions}
 }
 
+consume_installed() { consume "$kPrefix" "$1"; }
+
 # Nothing that is installed knows where it was made; each component brings what it needs.
 check_install() {
-  local component
   install_here
   none grep -rlF "$PWD" "$kPrefix"
   rm -rf build/consumer
-  for component in "${kComponents[@]}"; do consume "$kPrefix" "$component"; done
-  if PKG_CONFIG_LIBDIR=$PWD/build/visible cmake -S examples/consumer -B build/consumer/none -G Ninja \
+  in_lanes consume_installed "${kComponents[@]}"
+  hide_but >/dev/null
+  if PKG_CONFIG_LIBDIR=$visible cmake -S examples/consumer -B build/consumer/none -G Ninja \
        -DCMAKE_PREFIX_PATH="$PWD/$kPrefix" -DCOMPONENTS=legs >build/consumer/none.log 2>&1; then
     return 1
   fi
