@@ -6,6 +6,8 @@
 #include <atomic>
 #include <future>
 #include <hexagait/experiments/experiment.hpp>
+#include <hexagait/experiments/row_journal.hpp>
+#include <hexagait/recording/version.hpp>
 #include <mutex>
 #include <vector>
 
@@ -33,6 +35,35 @@ template <class Work, class Done>
   for (std::future<void>& worker : workers) worker = std::async(std::launch::async, loop);
   for (std::future<void>& worker : workers) worker.get();
   return !context.stopped();
+}
+
+/// Makes the rows 1 … count of an experiment that takes long, on its workers. Those that the journal of
+/// a run that was stopped has are only read again.
+/// @param what    all on which the rows depend but for the program, a line; its first word names the journal
+/// @param read    (number, row): takes a row of the journal
+/// @param make    (number): makes one
+/// @param row_of  (number): the row that was made, a line
+/// @returns false if it was stopped before the end
+template <class Read, class Make, class RowOf>
+[[nodiscard]] bool all_rows(const ExperimentContext& context, const std::string& what,
+                            std::uint64_t count, Read read, Make make, RowOf row_of) {
+  RowJournal journal(context.directory / (what.substr(0, what.find(' ')) + ".journal"),
+                     what + " of hexagait " + recording::kVersion + " (" + recording::kRevision +
+                         ", " + recording::kCompiler + ")");
+  std::vector<std::uint64_t> left;
+  for (std::uint64_t number = 1; number <= count; ++number) {
+    const auto row = journal.rows().find(number);
+    if (row == journal.rows().end())
+      left.push_back(number);
+    else
+      read(number, row->second);
+  }
+  const bool all = on_workers(
+      context, left.size(), context.jobs, [&](std::size_t k) { make(left[k]); },
+      [&](std::size_t k) { journal.add(left[k], row_of(left[k])); },
+      static_cast<std::size_t>(count) - left.size());
+  if (all) journal.remove();
+  return all;
 }
 
 }  // namespace hexagait::experiments

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <hexagait/experiments/on_workers.hpp>
-#include <hexagait/experiments/row_journal.hpp>
 #include <hexagait/gallery/gallery.hpp>
 #include <hexagait/gallery/robot_tally.hpp>
 #include <hexagait/recording/robot_sheet.hpp>
@@ -63,35 +62,18 @@ void show_boxes(const ExperimentContext& context, const GalleryRobot& robot) {
   show(robot.model, simulation_of(context, robot, walk, heading_of(robot, walk)), context);
 }
 
-// Walks all, but those of an earlier run that was stopped.
 bool walk_all(const ExperimentContext& context, std::vector<GalleryRobot>& robots) {
-  const recording::Provenance by = recording::provenance();
-  RowJournal journal(
-      context.directory / "gallery.journal",
-      fmt::format("gallery of hexagait {} ({}, {}), plant {}{}", by.version, by.revision,
-                  by.compiler, context.plant.name, context.short_form ? ", short" : ""));
-  struct Left {
-    const GalleryRobot* robot;
-    GalleryWalk* walk;
-    std::uint64_t number;
-  };
-  std::vector<Left> left;
-  std::uint64_t number = 0;
+  std::vector<std::pair<const GalleryRobot*, GalleryWalk*>> walks;
   for (GalleryRobot& robot : robots)
-    for (GalleryWalk& walk : robot.walks) {
-      const auto row = journal.rows().find(++number);
-      if (row == journal.rows().end())
-        left.push_back({&robot, &walk, number});
-      else
-        walk.end = parse_end(row->second);
-    }
-  const bool done = on_workers(
-      context, left.size(), context.jobs,
-      [&](std::size_t k) { walk_it(context, *left[k].robot, *left[k].walk); },
-      [&](std::size_t k) { journal.add(left[k].number, to_line(left[k].walk->end)); },
-      static_cast<std::size_t>(number) - left.size());
-  if (done) journal.remove();
-  return done;
+    for (GalleryWalk& walk : robot.walks) walks.emplace_back(&robot, &walk);
+  return all_rows(
+      context,
+      fmt::format("gallery{} with the plant {}", context.short_form ? " in short" : "",
+                  context.plant.name),
+      walks.size(),
+      [&](std::uint64_t k, const std::string& row) { walks[k - 1].second->end = parse_end(row); },
+      [&](std::uint64_t k) { walk_it(context, *walks[k - 1].first, *walks[k - 1].second); },
+      [&](std::uint64_t k) { return to_line(walks[k - 1].second->end); });
 }
 
 void draw(figures::StagedFiles& files, const ExperimentContext& context,

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <hexagait/experiments/on_workers.hpp>
-#include <hexagait/experiments/row_journal.hpp>
 #include <hexagait/experiments/walk_checks.hpp>
 #include <hexagait/gallery/gallery.hpp>
 #include <hexagait/gallery/random_robots.gp.hpp>
@@ -24,31 +23,15 @@ std::vector<RobotTrial> those_that_stand(std::span<const RobotTrial> trials) {
   return standing;
 }
 
-// All on which a row depends, but for its seed.
-std::string key() {
-  const recording::Provenance by = recording::provenance();
-  return fmt::format("random_robots of hexagait {} ({}, {})", by.version, by.revision, by.compiler);
-}
-
-// Robots from seed 1 on; those of an earlier run that was stopped are not walked again.
+// Robots from seed 1 on.
 std::vector<RobotTrial> try_robots(const ExperimentContext& context, std::uint64_t count) {
-  RowJournal journal(context.directory / "random_robots.journal", key());
   std::vector<RobotTrial> trials(count);
-  std::vector<std::uint64_t> left;
-  for (std::uint64_t seed = 1; seed <= count; ++seed) {
-    const auto row = journal.rows().find(seed);
-    if (row == journal.rows().end())
-      left.push_back(seed);
-    else
-      trials[seed - 1] = parse_trial(row->second);
-  }
-  const auto walk = [&](std::size_t k) {
-    trials[left[k] - 1] = try_robot(random_robot(left[k]), context.stop);
-  };
-  const auto done = [&](std::size_t k) { journal.add(left[k], to_line(trials[left[k] - 1])); };
-  if (!on_workers(context, left.size(), context.jobs, walk, done, count - left.size())) return {};
-  journal.remove();
-  return trials;
+  const bool all = all_rows(
+      context, "random_robots", count,
+      [&](std::uint64_t seed, const std::string& row) { trials[seed - 1] = parse_trial(row); },
+      [&](std::uint64_t seed) { trials[seed - 1] = try_robot(random_robot(seed), context.stop); },
+      [&](std::uint64_t seed) { return to_line(trials[seed - 1]); });
+  return all ? trials : std::vector<RobotTrial>();
 }
 
 // 0: walks, 1: does not, 2: fell, 3: can't stand.

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <hexagait/experiments/walk_checks.hpp>
 #include <hexagait/gallery/robot_tally.hpp>
-#include <hexagait/recording/provenance.hpp>
+#include <hexagait/recording/version.hpp>
 
 namespace hexagait::experiments {
 namespace {
@@ -168,10 +168,10 @@ figures::Csv table(std::span<const GalleryRobot> robots) {
 
 std::string gallery_page(std::span<const GalleryRobot> robots, const std::string& plant,
                          bool short_form) {
-  const recording::Provenance by = recording::provenance();
-  std::string text = fmt::format(
-      fmt::runtime(kIntro), fmt::format("hexagait {} ({})", by.version, by.revision), plant,
-      short_form ? "\n**A short form: not the figures of the full one.**\n" : "");
+  std::string text =
+      fmt::format(fmt::runtime(kIntro),
+                  fmt::format("hexagait {} ({})", recording::kVersion, recording::kRevision), plant,
+                  short_form ? "\n**A short form: not the figures of the full one.**\n" : "");
   for (const GalleryRobot& r : robots)
     text += fmt::format("| `{}` | {} × {} | {:.3g} | {:.2f} | {:.2f} | {:.2f} |\n", r.model.name,
                         r.scale.legs, r.model.legs[0].num_joints(), r.model.mass, r.scale.size,

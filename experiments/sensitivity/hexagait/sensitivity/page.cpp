@@ -4,7 +4,7 @@
 
 #include <cmath>
 #include <hexagait/recording/plant_setup.hpp>
-#include <hexagait/recording/provenance.hpp>
+#include <hexagait/recording/version.hpp>
 #include <hexagait/sensitivity/costs.hpp>
 
 namespace hexagait::experiments {
@@ -75,11 +75,11 @@ std::string meaning(const std::string& fault) {
 
 std::string page(const PageHead& head, const std::vector<Ladder>& ladders,
                  const std::vector<PlantCost>& costs) {
-  const recording::Provenance made_by = recording::provenance();
-  std::string text = fmt::format(
-      fmt::runtime(kIntro), fmt::format("hexagait {} ({})", made_by.version, made_by.revision),
-      head.distance, head.seconds, head.flat_seeds, head.boxes_seeds,
-      head.short_form ? "\n**A short form: not the figures of the full one.**\n" : "");
+  std::string text =
+      fmt::format(fmt::runtime(kIntro),
+                  fmt::format("hexagait {} ({})", recording::kVersion, recording::kRevision),
+                  head.distance, head.seconds, head.flat_seeds, head.boxes_seeds,
+                  head.short_form ? "\n**A short form: not the figures of the full one.**\n" : "");
   for (const Ladder& ladder : ladders)
     if (!ladder.fault.empty())
       text += fmt::format("| `{}` | {} | {} |\n", ladder.fault, meaning(ladder.fault),
