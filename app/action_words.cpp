@@ -18,7 +18,7 @@ namespace {
 using recording::finite;
 using recording::Json;
 
-constexpr int kShownOfAKind = 3;  // what is wrong first makes more of the same
+constexpr int kShownOfAKind = 3;  // later ones mostly follow from the first
 
 std::string count(long number, const char* what) {
   return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");

@@ -18,7 +18,7 @@ struct ActionReport {
 };
 
 /// The first findings of every kind, a line each as compilers write them, and how many more there
-/// are: what is wrong first makes more of the same.
+/// are: later ones mostly follow from the first.
 [[nodiscard]] std::string findings(const ActionReport& report);
 
 /// The verdict of a check, in a line.

@@ -113,7 +113,7 @@ int laps(const std::string& text, const path_following::Path& path) {
   return *count;
 }
 
-// What --facing and --crab make of what the path's file says.
+// The facing of the path's file, unless --facing or --crab changes it.
 path_following::FacingRule facing(const WalkArguments& a, const path_following::PathTask& task) {
   path_following::FacingRule rule = task.facing;
   if (!a.facing.empty()) rule = option_value("--facing", a.facing, walk::parse_facing);
@@ -151,7 +151,7 @@ std::optional<path_following::PathTask> path_task(const WalkArguments& a, const 
   return task;
 }
 
-// Longer than any walk along it takes that gets on at all.
+// A time limit that only a walk that makes no progress reaches.
 double time_for(const path_following::PathTask& task, const RobotModel& robot, double speed) {
   constexpr double kLongest = 5.0, kLeast = 40.0;
   const double usual = std::min(speed, usual_speed(scale_of(robot)));

@@ -13,7 +13,7 @@
 namespace hexagait::app {
 
 inline constexpr int kOk = 0;
-inline constexpr int kFailed = 1;  ///< the walk or the check failed
+inline constexpr int kFailed = 1;  ///< the walk, the check or a claim failed
 inline constexpr int kBadInput =
     2;  ///< bad usage or input, or a file or stdout that can't be written
 inline constexpr int kInterrupted = 130;  ///< by Ctrl-C

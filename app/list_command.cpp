@@ -168,9 +168,10 @@ List faults() {
     list.json.push_back({{"syntax", kind.syntax}, {"meaning", kind.meaning}});
   }
   list.text +=
-      "\nAll but a load may end in @TIME, that of the walk from which on it is there: dead:LF@5s. "
-      "LEG and\n"
-      "JOINT are names of hexagait robot. Plants of sweeps have faults too: real+dead:LF@5s.\n";
+      "\nAll but a load may end in @TIME, the time in the walk at which the fault begins: "
+      "dead:LF@5s. LEG\n"
+      "and JOINT are named as hexagait robot names them. Plants of sweeps take faults too: "
+      "real+dead:LF@5s.\n";
   return list;
 }
 

@@ -278,7 +278,7 @@ int run(int argc, char** argv) {
   return run_command_of(app, arguments);
 }
 
-// Says what went wrong. What can't be written is no result, and no failed walk either.
+// Says what went wrong. An output that can't be written is kBadInput: kFailed means that a walk failed.
 int run_and_tell(int argc, char** argv) {
   std::string problem;
   try {

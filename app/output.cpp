@@ -23,7 +23,7 @@ void flush() {
 }  // namespace
 
 void reserve_standard_descriptors() {
-  // Not for writing: printing on what was closed is to fail.
+  // Opened for reading only: printing on a stream that was closed must fail.
   while (true) {
     const int descriptor = open("/dev/null", O_RDONLY | O_CLOEXEC);
     if (descriptor > STDERR_FILENO) close(descriptor);

@@ -24,7 +24,7 @@ int port(const std::string& text) {
       "--port is '{}'; it must be a whole number from 0 (any that is free) to 65535", text));
 }
 
-constexpr auto kLastWords = std::chrono::milliseconds(300);  // to pages, of what is over by itself
+constexpr auto kLastWords = std::chrono::milliseconds(300);  // for pages to hear that it is over
 
 // Raises `end` with Ctrl-C, when the time is over, or it is over by itself.
 class End {

@@ -53,8 +53,8 @@ bool PlantArguments::given() const {
 void add_plant(CLI::App& command, PlantArguments& a) {
   command
       .add_option("--plant", a.plant,
-                  "How far it is from ideal: ideal, real, or those and more: see hexagait list "
-                  "plants; the options below override it")
+                  "What is not ideal: ideal, real, or one of them with changes, such as "
+                  "real+friction:0.4; see hexagait list plants; the options below override it")
       ->type_name("PLANT")
       ->capture_default_str();
   command

@@ -16,7 +16,7 @@ namespace hexagait::app {
 namespace {
 
 constexpr char kHideCursor[] = "\033[?25l", kEnd[] = "\r\033[K\033[?25h";
-// Those that end a process and that interrupt.hpp does not catch.
+// The signals that end a process and that interrupt.hpp does not catch.
 constexpr int kDeadly[] = {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGQUIT};
 
 termios before;  // read by a signal handler, so it is set before that one is

@@ -87,7 +87,7 @@ double instructions_in_walk(double seconds) {
   return count;
 }
 
-// Two walks differ by 500 ticks; what comes before they have in common.
+// Of two walks of which one is 500 ticks longer: all else takes as many in both.
 double instructions_per_tick() {
   return (instructions_in_walk(2.0) - instructions_in_walk(1.0)) / 500.0;
 }
@@ -102,7 +102,7 @@ double million_slices_per_second() {
 }
 
 Group speed(const RobotModel& robot) {
-  // The fastest of five: what else the machine does only ever adds.
+  // The fastest of five runs: other load on the machine can only slow them down.
   double factor = 0.0, median = std::numeric_limits<double>::infinity(), p99 = median, slices = 0.0;
   for (int run = 0; run < 5; ++run) {
     const walk::Summary s = recording::simulate(robot, straight_walk(10.0));

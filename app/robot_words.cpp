@@ -16,7 +16,7 @@ std::string links_in_words(const LegModel& leg) {
   return fmt::format("{:.3f}  {:.3f}  {:.3f}", leg.coxa, leg.femur, leg.tibia);
 }
 
-// What stands behind a value that is not just the file's: d, s or g.
+// Where a value comes from: d, s or g as explained below the table; a blank if from the file.
 char mark(const RobotModel& robot, const std::string& element, const char* what) {
   for (const Substitution& s : robot.substitutions) {
     if (s.element != element || s.what != what) continue;

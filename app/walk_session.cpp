@@ -27,7 +27,7 @@ viewer::SessionOptions options(const char* command, const WalkArguments& argumen
   if (walk.robot == kGenghis)
     throw InvalidInput(fmt::format("{}: --robot {} walks in a side view only; see hexagait walk",
                                    command, kGenghis));
-  if (walk.seconds.empty()) walk.seconds = "1";  // it has no end; but the others want one
+  if (walk.seconds.empty()) walk.seconds = "1";  // a session has no end, but simulation() wants one
   viewer::SessionOptions result;
   result.robot = load_robot(walk.robot, walk.overrides, walk.quiet);
   result.simulation = simulation(walk, result.robot);

@@ -79,8 +79,8 @@ void add(std::string& text, const char* label, const std::string& value) {
   text += fmt::format("  {:<12}{}\n", label, value);
 }
 
-// Three digits are enough for a person. The stability margin with
-// no foot on the ground is −∞.
+// Two or three digits are enough for a person. The stability margin
+// is −∞ with no foot on the ground.
 std::string length(double metres) {
   const double size = std::abs(metres);
   if (std::isinf(size)) return "none";

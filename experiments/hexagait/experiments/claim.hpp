@@ -16,7 +16,7 @@ namespace hexagait::experiments {
 struct Bound {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
-  bool open = false;  ///< the limits are outside
+  bool open = false;  ///< the limits themselves are not within
 
   [[nodiscard]] bool contains(double value) const {
     return open ? least < value && value < most : least <= value && value <= most;
@@ -133,8 +133,8 @@ struct Verdict {
 [[nodiscard]] std::vector<Verdict> judged_in_full_only(std::vector<Verdict> verdicts,
                                                        bool short_form);
 
-/// The claim where it was not made, as on another plant: nothing is judged, safety neither, and what
-/// was measured is a remark.
+/// A verdict on a claim that was not made for what was walked, such as another plant: nothing is
+/// judged, not even safety, and what was measured becomes a remark.
 /// @param why  one clause, no full stop
 [[nodiscard]] Verdict only_told(const Verdict& verdict, std::string why);
 

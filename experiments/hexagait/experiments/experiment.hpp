@@ -49,7 +49,7 @@ struct ExperimentContext {
   std::uint64_t part = 0, parts = 1;
   std::function<void(const std::string&)> say =
       {};  ///< told how long it will take, before it begins
-  /// Where its files will be; what is kept there meanwhile, an experiment removes in the end.
+  /// Where its files will be. An experiment may keep others there while it runs, and removes them.
   std::filesystem::path directory = {};
   recording::PlantSetup plant = {};  ///< of the walks; claims are made for the ideal one
   /// Of the walk that Experiment::shows names; null: nobody watches.
@@ -57,7 +57,7 @@ struct ExperimentContext {
 
   /// Whether it is to end early.
   [[nodiscard]] bool stopped() const { return stop != nullptr && stop->load(); }
-  /// Told that so many of some parts are done.
+  /// Reports progress: `done` of `all` parts.
   void tell(std::size_t done, std::size_t all) const {
     if (progress) progress(static_cast<double>(done) / static_cast<double>(all));
   }

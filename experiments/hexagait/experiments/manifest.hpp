@@ -21,8 +21,8 @@ struct Outcome {
   /// Model, physics and controller, if it is no walk but has some.
   std::optional<recording::Provenance> provenance = {};
   figures::Csv table = {};  ///< its numbers, for the page; may be empty
-  bool judges_all = true;   ///< false: claims are left to more trials than were asked for
-  /// If only a part of its walks was asked for: what is left to do. Then there is nothing else.
+  bool judges_all = true;   ///< false: fewer trials were asked for than the claims need
+  /// If only a part of its walks was asked for: what the user does next. Then all else is empty.
   std::string left = {};
   double compute_seconds = 0.0;  ///< time that the runs took, without drawing; 0: not measured
 };
@@ -40,8 +40,8 @@ struct Manifest {
   recording::Provenance provenance = {};
   recording::PlantSetup plant = {};  ///< if it is another one, no claim is judged
 
-  /// There are claims, and each holds, fails as it was declared to, or is left to the full length, all
-  /// trials and the ideal plant; or it is a part, that is left to be merged.
+  /// Each claim holds, fails as it was declared to, or can't be judged by this run (a short form, too few
+  /// trials, another plant); or this is one part of the walks, and claims wait for all parts.
   [[nodiscard]] bool is_accounted_for() const;
 };
 

@@ -28,7 +28,7 @@ void set_period(std::vector<JudgedWalk>& walks, double control_dt) {
 Verdict judge_rate(std::span<const JudgedWalk> headings, std::span<const JudgedWalk> reference,
                    double reach) {
   const double control_dt = headings.front().simulation.control_dt;
-  // Above 10 ms a foot is up to a centimetre on when its contact is noticed.
+  // Above 10 ms a foot has gone on for up to a centimetre when its contact is noticed.
   const double allowance = control_dt > 0.010 ? 0.010 : 0.0;
   const double share = worst(headings, [&](const JudgedWalk& w) {
     return w.summary.lateral_mean / std::max(w.max_lateral, allowance);

@@ -11,8 +11,8 @@
 #include <hexagait/sim2d/engine_version.hpp>
 #include <hexagait/sim3d/engine_version.hpp>
 
-// Parameters that follow from the robot are in one table; the others of controllers are taken apart by
-// structured bindings: a field that is added and not listed here does not compile. What the configuration of a result names already is left out.
+// Parameters that can follow from the robot come from the table of parameters(). The other structs are taken apart by
+// structured bindings: a new field that is not listed here does not compile. What a result's configuration has is left out.
 namespace hexagait::recording {
 namespace {
 

@@ -19,7 +19,7 @@ struct Simulation {
   RobotParams params;            ///< what is kDerived follows from the robot's model
   PlantSetup plant;              ///< what is not ideal about the robot, its sensors and the ground
   SensorMask sensors;
-  double late_limit = footstep_gen::WalkerParams{}.late_limit;  ///< see there [s]
+  double late_limit = footstep_gen::WalkerParams{}.late_limit;  ///< see WalkerParams [s]
   gait_state::GaitChoice gait;  ///< until the schedule says otherwise
   double random_posture = 0.0;  ///< feet start displaced by up to this [m]
   walk::TrialOptions trial;
@@ -28,7 +28,7 @@ struct Simulation {
 /// Sets what is kDerived of steps of time and plant, for reports.
 void complete(Simulation& simulation, const RobotModel& robot);
 
-/// The world of a robot with these drives and feet, but for what the setup says of it.
+/// The world of a robot with these drives and feet, and with the imperfections of the setup.
 [[nodiscard]] sim3d::WorldParams world_params(const PlantSetup& setup, const PlantParams& robot);
 
 /// The world and the controller of a simulation.

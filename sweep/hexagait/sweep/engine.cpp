@@ -76,7 +76,7 @@ std::string run_slice(const TrialConfig& config) {
 
 // ---- box2d and ode: walks with one referee ------------------------------------------------------
 
-// What every walk has, around the columns of one simulator.
+// The columns of every walk, with those of one simulator between them.
 std::vector<Column> walk_columns(const std::vector<Column>& own) {
   std::vector<Column> columns = {{"speed_m_s", "speed", "m/s"},
                                  {"walked_to_end", "walked to the end", "", true},
@@ -104,7 +104,7 @@ std::string cell(std::string_view text) {
   return plain;
 }
 
-// Their values; `own` are those of one simulator, with commas between them.
+// The cells of these columns; `own` are those of one simulator, with commas between them.
 // @param hindrance  why it got stuck, if it did
 std::string walk_row(const walk::Summary& s, const Limits& limits, const std::string& hindrance,
                      const std::string& own) {

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-/// Sweeps: a grid of trials, run by many processes on many machines, with the same bytes as result
-/// whoever ran what, and when.
+/// Sweeps: a grid of trials, run by many processes on many machines. The result has the same bytes
+/// on whichever machine, and in whatever order, its trials ran.
 ///
 ///     sweep file ─ load_sweep ─▶ Sweep ─ trial(k) ─▶ TrialConfig ─ run ─▶ cells    a pure function
 ///     Sweep + Shard ─ run_shard: WorkerPool ─▶ Journal                    durable, in any order
@@ -34,7 +34,7 @@ struct Limits {
   int slices = 500;             ///< of a trial in the slice model
   double seconds = 40.0;        ///< of a walk, at most [s]
   double distance = 0.0;        ///< of a walk, at most [m]; 0 for no limit
-  double random_posture = 0.0;  ///< a walk starts with feet displaced by up to this [m]; ODE only
+  double random_posture = 0.0;  ///< a walk starts with feet displaced by up to this [m]
 };
 
 /// Everything that decides the outcome of a trial.

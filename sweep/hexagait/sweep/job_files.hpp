@@ -28,8 +28,8 @@ struct JobPlan {
 /// "slurm", "parallel" or "mpi". @throws InvalidInput
 [[nodiscard]] Scheduler parse_scheduler(const std::string& text);
 
-/// Writes the scripts into a directory, which is made, and where results will be: each runs every
-/// shard into a directory of its own, then merges them into "merged".
+/// Makes a directory, and writes the scripts of a scheduler into it. They run every shard into a
+/// directory of its own in it, then merge these into "merged" there.
 /// @returns how to start them, a command
 /// @throws InvalidInput  if they can't be written
 std::string write_job_files(Scheduler scheduler, const JobPlan& plan,

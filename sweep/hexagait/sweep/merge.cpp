@@ -25,7 +25,7 @@ struct Part {
   std::optional<Entry> next;
 };
 
-// Ranges of trials of which something is said, the first of them in full.
+// Ranges of trials with one thing wrong: the first are listed, the others only counted.
 class Ranges {
  public:
   explicit Ranges(std::string what) : what_(std::move(what)) {}
@@ -69,7 +69,7 @@ std::string shards(const std::vector<Part>& parts) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-// Of the same configuration and provenance: rows of other physics are rows of another sweep.
+// Configuration and provenance must be the same: other physics makes other rows.
 void require_one_sweep(const std::vector<Part>& parts) {
   constexpr std::size_t kShown = 10;
   std::vector<std::string> lines;

@@ -241,7 +241,7 @@ Report make_report(const std::filesystem::path& directory, const ReportOptions& 
   const auto compared_name = kCompared[static_cast<std::size_t>(report.compare)];
   report.first = groups.front().line.*compared_name;
 
-  // The first, and like this one in all that is not compared.
+  // Whether a group is compared with `first`: the same in all but what is compared.
   const auto is_peer = [&](const Group& first, const Group& group) {
     return &first != &group && first.line.*compared_name == report.first &&
            std::ranges::all_of(kCompared, [&](const auto name) {

@@ -77,8 +77,8 @@ struct Report {
 [[nodiscard]] std::string in_words(const Report& report);
 [[nodiscard]] std::string to_json(const Report& report);
 
-/// "0.067 ± 0.005": rounded to what the error leaves of it, one digit of it, or two if the first
-/// is a 1.
+/// "0.067 ± 0.005": the error with one digit, or two if the first is a 1; the value with as many
+/// decimals.
 [[nodiscard]] std::string with_error(double value, double half_width);
 
 /// Writes STEM.csv, STEM.gp, STEM.svg, STEM.pdf and STEM.png into the directory, with STEM of

@@ -84,7 +84,7 @@ Sheet sheet(const Report& report, bool over_roughness) {
   return result;
 }
 
-// Curves stand beside each other by a little.
+// By how much each curve is moved sideways, so that their intervals don't cover each other.
 std::vector<double> shifts(const Report& report, std::size_t curves, bool over_roughness) {
   const auto [least, greatest] = std::ranges::minmax_element(
       report.lines, {}, [](const ReportLine& line) { return line.roughness; });

@@ -34,7 +34,7 @@ std::string finished_trial(const Sweep& sweep, const Shard& shard, const RunOpti
   return journal_line(position, fmt::format("{:.6f}", wall.count()), text);
 }
 
-// Deals out the positions that are not done, in rising order; those that came back first.
+// Deals out the positions that are not done: first those that were taken back, then in rising order.
 class Dealer {
  public:
   Dealer(DoneWindow done, std::uint64_t whole) : done_(std::move(done)), whole_(whole) {}

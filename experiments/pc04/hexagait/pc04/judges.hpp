@@ -48,8 +48,8 @@ struct FirstSteps {
 [[nodiscard]] std::vector<Verdict> judge_fig7a(const SliceComparison& comparison);
 
 /// Each with gaits tripod, free, …
-/// @param rough   grounds of which the first claim is: rougher than can be felt, and not rougher
-///                than half of the height to which feet are raised
+/// @param rough   grounds on which the free gait is claimed to be ahead: rough enough to be felt,
+///                and not rougher than half of the height to which feet are raised
 /// @param all     those, and the smoothest and roughest
 /// @param sample  whose strokes are compared
 [[nodiscard]] std::vector<Verdict> judge_fig7b(const std::vector<SliceComparison>& rough,

@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] inline Json finite(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
-/// Nothing is null.
+/// An empty optional is null.
 template <class T>
 [[nodiscard]] Json json_of(const std::optional<T>& value) {
   return value ? Json(*value) : Json(nullptr);

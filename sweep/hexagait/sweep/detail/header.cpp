@@ -14,8 +14,8 @@ using nlohmann::ordered_json;
 
 constexpr int kFormat = 3;
 
-// Beside version and parameters the simulator that takes part, and the models of all robots: what
-// had no say in the rows is no reason to keep them apart.
+// Version, parameters, models of all robots, and the versions of the libraries, but not of a simulator
+// that the sweep does not use: rows that another version of it could not change may be merged.
 ordered_json provenance(const Sweep& sweep) {
   recording::Provenance result = recording::provenance();
   if (sweep.engine == Engine::box2d) result = recording::provenance(sim2d::GenghisTrial{});
@@ -44,7 +44,7 @@ ordered_json seeds(const Sweep& sweep) {
   return {{"number", sweep.num_seeds}, {"master", sweep.master_seed}};
 }
 
-// Hashes of the files that terrains read: with others the rows would be others.
+// Hashes of the files that terrains read: other contents make other rows.
 ordered_json files(const Sweep& sweep) {
   ordered_json json;
   if (sweep.engine != Engine::ode) return json;

@@ -31,7 +31,7 @@ std::string checked(std::string_view content) {
   return fmt::format("{:016x} {}\n", fnv1a(content), content);
 }
 
-// What follows a checksum that fits.
+// A line without its checksum, if that is right.
 std::optional<std::string_view> content(std::string_view line) {
   if (line.size() <= kDigits || line[kDigits] != ' ') return {};
   const std::string_view rest = line.substr(kDigits + 1);
@@ -135,7 +135,7 @@ bool JournalReader::read_entry() {
 }
 
 std::optional<Entry> JournalReader::next() {
-  // Behind kWindow lines that are ahead nothing can be missing that is still to be read.
+  // With kWindow lines read ahead, a position that is missing is in no later line (see kWindow).
   const auto found = [&] { return !ahead_.empty() && ahead_.begin()->first == next_; };
   while (!found() && ahead_.size() < kWindow && read_entry()) {
   }
@@ -221,7 +221,8 @@ std::optional<std::string> Journal::sync_if_due() {
 std::optional<std::string> Journal::sync() {
   if (!waiting_since_) return {};
   waiting_since_.reset();
-  if (sync_(file_) == 0 || errno == EINVAL || errno == ENOTSUP) return {};  // no file system syncs
+  if (sync_(file_) == 0 || errno == EINVAL || errno == ENOTSUP)
+    return {};  // a file system that can't
   return fmt::format("its bytes did not reach the disk: {}", std::strerror(errno));
 }
 

@@ -7,8 +7,8 @@
 
 namespace hexagait::sweep {
 
-/// A directory for results, with those above it: made if there is none, and removed again, if
-/// nothing was put into it, unless it is kept.
+/// Makes a directory for results, and those above it, where they don't exist. The destructor removes
+/// those that it made and that are still empty, unless keep() was called.
 class MadeDirectory {
  public:
   /// @throws InvalidInput  if it can't be made
@@ -17,7 +17,7 @@ class MadeDirectory {
   MadeDirectory(const MadeDirectory&) = delete;
   MadeDirectory& operator=(const MadeDirectory&) = delete;
 
-  /// Makes it last, also if the power fails now.
+  /// The directories stay, even if the power fails now.
   void keep();
 
  private:

@@ -92,7 +92,7 @@ WorkerPool::Worker WorkerPool::spawn() {
   must(pipe(answers));
   const pid_t parent = getpid(), process = must(fork());
   if (process == 0) {
-    // The parent's ends of all pipes are not ours.
+    // Of the parent's ends of all pipes this process inherited copies.
     for (const Worker& other : workers_) {
       close(other.requests);
       close(other.answers);
@@ -136,7 +136,7 @@ std::vector<Answer> WorkerPool::wait(std::chrono::milliseconds patience) {
   return answers;
 }
 
-// What a worker has to say, if anything. One that says nothing sensible is dead.
+// A worker's answer, if there is one to be had. What is no whole answer means that the worker died.
 std::optional<Answer> WorkerPool::answer(Worker& worker, bool is_ready) {
   const std::chrono::duration<double> taken = Clock::now() - worker.since;
   const bool overdue = !is_ready && worker.chunk && taken > time_limit_;
@@ -149,7 +149,7 @@ std::optional<Answer> WorkerPool::answer(Worker& worker, bool is_ready) {
   }
   result->seconds = taken.count();
   worker.chunk.reset();
-  if (result->chunk.count == 0) return {};  // it died of nothing that it was given
+  if (result->chunk.count == 0) return {};  // it had no chunk to answer for
   return result;
 }
 
@@ -160,7 +160,7 @@ void WorkerPool::forgive_a_pause() {
   awake_ = now;
 }
 
-// Where the system has no more processes those that are left go on.
+// If the system has no more processes, the workers that are left go on alone.
 void WorkerPool::replace_the_dead() {
   const auto is_dead = [](const Worker& worker) { return worker.process < 0; };
   const auto dead = std::ranges::count_if(workers_, is_dead);
