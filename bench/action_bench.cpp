@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <hexagait/urdf/urdf.hpp>
 #include <testing/action_words.hpp>
+#include <testing/argos.hpp>
 #include <testing/counted_allocations.hpp>
 #include <testing/scripted_robot.hpp>
 
@@ -18,15 +18,11 @@
 namespace hexagait {
 namespace {
 
+using testing::argos;
 using testing::foot_target;
 using testing::leg_mode;
 using testing::ScriptedRobot;
 using testing::step;
-
-const RobotModel& argos() {
-  static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  return model;
-}
 
 // Three feet swing, three are told to stand: a motion for each of six legs, and for the base.
 action::Action tripods() {

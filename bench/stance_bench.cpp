@@ -6,7 +6,7 @@
 #include <hexagait/balance/stance_pose.hpp>
 #include <hexagait/balance/whole_body.hpp>
 #include <hexagait/sim/random.hpp>
-#include <hexagait/urdf/urdf.hpp>
+#include <testing/argos.hpp>
 
 // What BaseAuto's pose costs, which is asked for where a step changes, and what a whole-body
 // controller costs, which runs every tick.
@@ -14,10 +14,7 @@
 namespace hexagait {
 namespace {
 
-const RobotModel& argos() {
-  static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  return model;
-}
+using testing::argos;
 
 /// Six feet up to `scatter` [m] from their places, a tripod, or all, in support.
 StanceProblem problem_of(RandomSequence& random, double scatter, LegSet support) {

@@ -59,8 +59,7 @@ inline void round_walk(RobotParams& p) {
   p.base.outer_radius = 0.8;
   p.base.displacement_period = 0.0;
 
-  p.spring.frequency = 12.5;
-  p.spring.turn_frequency = 12.5;
+  p.spring.frequency = p.spring.turn_frequency = 12.5;
 
   p.tolerance.tie = 0.001;
   p.tolerance.slide = 0.001;

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <hexagait/sim3d/world.hpp>
 #include <hexagait/text/invalid_input.hpp>
-#include <hexagait/urdf/urdf.hpp>
 #include <hexagait/walk/faults.hpp>
 #include <hexagait/walk/trial.hpp>
 #include <limits>
+#include <testing/argos.hpp>
 
 // Each fault, measured on a plant whose truth is known.
 namespace hexagait::walk {
@@ -17,10 +17,7 @@ namespace {
 constexpr double kDt = 0.002;
 const LegArray<LegJoints> kZero(6, LegJoints::Zero());
 
-const RobotModel& argos() {
-  static const RobotModel robot = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  return robot;
-}
+using testing::argos;
 
 // Its joints turn at 1 rad/s, and its feet touch as told; it keeps all that is written to it.
 class KnownPlant final : public Plant {

@@ -4,9 +4,9 @@
 
 #include <cmath>
 #include <hexagait/sim3d/world.hpp>
-#include <hexagait/urdf/urdf.hpp>
 #include <hexagait/walk/faults.hpp>
 #include <hexagait/walk/trial.hpp>
+#include <testing/argos.hpp>
 
 // The inertial measurement unit: what the simulated one feels, how it errs, and what a walk gains by it.
 namespace hexagait::walk {
@@ -17,10 +17,7 @@ using heading_control::Heading;
 constexpr double kDt = 0.002;
 const double kGravity = sim3d::WorldParams{}.gravity;
 
-const RobotModel& argos() {
-  static const RobotModel robot = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  return robot;
-}
+using testing::argos;
 
 sim3d::World world(bool imu, const sim3d::TerrainSpec& terrain = {}) {
   sim3d::WorldParams params;

@@ -6,23 +6,19 @@
 #include <cmath>
 #include <hexagait/sim3d/world.hpp>
 #include <hexagait/text/invalid_input.hpp>
-#include <hexagait/urdf/urdf.hpp>
 #include <hexagait/walk/part_faults.hpp>
 #include <hexagait/walk/trial.hpp>
+#include <testing/argos.hpp>
 
 // Each fault of a part, on a plant whose truth is known.
 namespace hexagait::walk {
 namespace {
 
-using testing::HasSubstr;
+using testing::argos;
+using ::testing::HasSubstr;
 
 constexpr double kDt = 0.002, kLead = 0.2;
 constexpr LegId kLF = 0, kRM = 3;
-
-const RobotModel& argos() {
-  static const RobotModel robot = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  return robot;
-}
 
 // Its joints are at 1 rad and its feet touch in every other period.
 class KnownPlant final : public Plant {

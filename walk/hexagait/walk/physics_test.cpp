@@ -10,6 +10,7 @@
 #include <hexagait/urdf/urdf.hpp>
 #include <hexagait/walk/trial.hpp>
 #include <limits>
+#include <testing/argos.hpp>
 
 namespace hexagait::walk {
 namespace {
@@ -20,10 +21,7 @@ using footstep_gen::WalkerParams;
 using heading_control::Heading;
 using heading_control::Turn;
 
-const RobotModel& argos() {
-  static const RobotModel robot = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  return robot;
-}
+using testing::argos;
 
 Summary walk_for(double seconds, const Heading& heading, const char* terrain = "flat",
                  const WalkerParams& params = {}) {

@@ -8,14 +8,12 @@
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <hexagait/walk/start_posture.hpp>
+#include <testing/argos.hpp>
 
 namespace hexagait::walk {
 namespace {
 
-const RobotModel& argos() {
-  static const RobotModel robot = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  return robot;
-}
+using testing::argos;
 
 // The body is a box of 0.12 m, its middle the origin.
 TEST(StartPosture, KnowsHowDeepTheBellyIs) { EXPECT_NEAR(belly_depth(argos()), 0.06, 1e-12); }

@@ -5,8 +5,8 @@
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/sim3d/world.hpp>
 #include <hexagait/text/invalid_input.hpp>
-#include <hexagait/urdf/urdf.hpp>
 #include <hexagait/walk/trial.hpp>
+#include <testing/argos.hpp>
 
 namespace hexagait::walk {
 namespace {
@@ -15,10 +15,7 @@ using footstep_gen::Fault;
 using footstep_gen::Walker;
 using heading_control::Heading;
 
-const RobotModel& argos() {
-  static const RobotModel robot = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  return robot;
-}
+using testing::argos;
 
 TrialOptions arc_for(double seconds) {
   TrialOptions options;

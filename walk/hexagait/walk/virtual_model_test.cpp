@@ -8,9 +8,9 @@
 #include <cmath>
 #include <hexagait/load/load_action.hpp>
 #include <hexagait/sim3d/world.hpp>
-#include <hexagait/urdf/urdf.hpp>
 #include <hexagait/walk/action_trial.hpp>
 #include <hexagait/walk/start_posture.hpp>
+#include <testing/argos.hpp>
 
 namespace hexagait::walk {
 namespace {
@@ -18,10 +18,7 @@ namespace {
 constexpr auto kKinematic = WholeBodyController::kinematic;
 constexpr auto kVirtualModel = WholeBodyController::virtual_model;
 
-const RobotModel& argos() {
-  static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  return model;
-}
+using testing::argos;
 
 action::Action standing(double seconds) {
   return action::parse_action("steps: [step: [wait: {duration: " + std::to_string(seconds) + "}]]",

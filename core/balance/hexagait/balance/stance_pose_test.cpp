@@ -7,22 +7,18 @@
 #include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/sim/random.hpp>
-#include <hexagait/urdf/urdf.hpp>
 #include <limits>
+#include <testing/argos.hpp>
 #include <testing/stance_oracle.hpp>
 
 namespace hexagait {
 namespace {
 
+using testing::argos;
 using testing::pose;
 using testing::StanceOracle;
 
 constexpr double kHeight = 0.3;
-
-const RobotModel& argos() {
-  static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  return model;
-}
 
 /// All feet in their nominal places under a base, all legs taking part.
 StanceProblem nominal_feet(const RobotModel& model, const Pose& X_OB) {

@@ -7,6 +7,7 @@
 #include <hexagait/model/leg_weight.hpp>
 #include <hexagait/sim/random.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <testing/argos.hpp>
 
 namespace hexagait {
 namespace {
@@ -16,10 +17,7 @@ constexpr auto kKinematic = WholeBodyController::kinematic;
 constexpr VirtualModelParams kSprings{.frequency = 12.5, .turn_frequency = 12.5};
 constexpr auto kVirtualModel = WholeBodyController::virtual_model;
 
-const RobotModel& argos() {
-  static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  return model;
-}
+using testing::argos;
 
 /// All feet at their nominal places, all carrying, nothing amiss.
 struct Standing {

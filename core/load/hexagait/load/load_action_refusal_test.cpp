@@ -6,20 +6,16 @@
 #include <algorithm>
 #include <hexagait/load/load_action.hpp>
 #include <hexagait/text/invalid_input.hpp>
-#include <hexagait/urdf/urdf.hpp>
 #include <span>
+#include <testing/argos.hpp>
 
 namespace hexagait::action {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::StartsWith;
-
-const RobotModel& argos() {
-  static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  return model;
-}
+using ::testing::AllOf;
+using testing::argos;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 /// What the loader says against a text; empty if nothing.
 std::string refusal(const std::string& text, const ActionVocabulary& vocabulary = {}) {

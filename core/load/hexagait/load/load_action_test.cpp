@@ -5,14 +5,12 @@
 #include <hexagait/load/load_action.hpp>
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <testing/argos.hpp>
 
 namespace hexagait::action {
 namespace {
 
-const RobotModel& argos() {
-  static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  return model;
-}
+using testing::argos;
 
 Action parse(const std::string& text, const ActionVocabulary& vocabulary = {}) {
   return parse_action(text, "test.yaml", argos(), vocabulary);

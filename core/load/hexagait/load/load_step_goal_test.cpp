@@ -5,18 +5,14 @@
 
 #include <hexagait/load/load_step_goal.hpp>
 #include <hexagait/text/invalid_input.hpp>
-#include <hexagait/urdf/urdf.hpp>
+#include <testing/argos.hpp>
 
 namespace hexagait::action {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
-
-const RobotModel& argos() {
-  static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  return model;
-}
+using testing::argos;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 StepGoal parse(const std::string& text) { return parse_step_goal(text, "goal.yaml", argos()); }
 

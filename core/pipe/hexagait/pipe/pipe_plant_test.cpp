@@ -8,21 +8,17 @@
 #include <chrono>
 #include <hexagait/pipe/pipe_plant.hpp>
 #include <hexagait/pipe/pipe_robot.hpp>
-#include <hexagait/urdf/urdf.hpp>
+#include <testing/argos.hpp>
 
 namespace hexagait {
 namespace {
 
-using testing::HasSubstr;
-using testing::IsEmpty;
+using testing::argos;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using Clock = std::chrono::steady_clock;
 
 constexpr double kPeriod = 0.002;
-
-const RobotModel& argos() {
-  static const RobotModel robot = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  return robot;
-}
 
 Measurement state_at(double time) {
   return {.time = time,
@@ -31,7 +27,7 @@ Measurement state_at(double time) {
 }
 
 // Both ends, in one thread.
-class Pipe : public testing::Test {
+class Pipe : public ::testing::Test {
  protected:
   Pipe()
       : ends_(make()),

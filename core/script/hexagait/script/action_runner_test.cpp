@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <hexagait/text/invalid_input.hpp>
-#include <hexagait/urdf/urdf.hpp>
 #include <testing/action_words.hpp>
+#include <testing/argos.hpp>
 #include <testing/counted_allocations.hpp>
 #include <testing/scripted_robot.hpp>
 
@@ -23,15 +23,11 @@ static_assert(kTakesOnlyLastingModels<Executor, ExecutorParams>);
 static_assert(kTakesOnlyLastingModels<StateEstimator, SensorMask>);
 static_assert(kTakesOnlyLastingModels<Odometry>);
 
+using testing::argos;
 using testing::base_target;
 using testing::footstep;
 using testing::ScriptedRobot;
 using testing::step;
-
-const RobotModel& argos() {
-  static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  return model;
-}
 
 // Footsteps, trajectories of foot, joints and base, BaseAuto, targets: all sorts.
 action::Action long_action(const ScriptedRobot& robot) {

@@ -4,12 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <hexagait/script/preview.hpp>
-#include <hexagait/urdf/urdf.hpp>
 #include <testing/action_words.hpp>
+#include <testing/argos.hpp>
 
 namespace hexagait {
 namespace {
 
+using testing::argos;
 using testing::base_target;
 using testing::foot_target;
 using testing::footstep;
@@ -18,10 +19,6 @@ using testing::step;
 using testing::steps;
 using testing::wait;
 
-const RobotModel& argos() {
-  static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  return model;
-}
 Vector3 foot(LegId leg) {
   Vector3 p = argos().legs[leg].p_BC;
   p.z() = argos().foot_radius;

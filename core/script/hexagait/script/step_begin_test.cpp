@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <hexagait/urdf/urdf.hpp>
 #include <testing/action_expectations.hpp>
 #include <testing/action_words.hpp>
+#include <testing/argos.hpp>
 #include <testing/scripted_robot.hpp>
 
 // When a step may begin: not while paused, and not while a leg that stands is not sure to stand.
@@ -12,6 +12,7 @@
 namespace hexagait {
 namespace {
 
+using testing::argos;
 using testing::expect_result;
 using testing::footstep;
 using testing::forward;
@@ -20,11 +21,6 @@ using testing::step;
 using testing::steps;
 using testing::wait;
 using Touch = ScriptedRobot::Touch;
-
-const RobotModel& argos() {
-  static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  return model;
-}
 
 action::Step step_of_leg_0(const ScriptedRobot& robot) {
   return step({{footstep(0, robot.foot(0) + forward(0.05)), {}}});

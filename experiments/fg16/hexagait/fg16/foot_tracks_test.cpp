@@ -7,17 +7,14 @@
 #include <hexagait/fg16/foothold_route.hpp>
 #include <hexagait/fg16/localisation.hpp>
 #include <hexagait/sim3d/world.hpp>
-#include <hexagait/urdf/urdf.hpp>
 #include <hexagait/walk/action_trial.hpp>
 #include <hexagait/walk/trial.hpp>
+#include <testing/argos.hpp>
 
 namespace hexagait::experiments {
 namespace {
 
-const RobotModel& argos() {
-  static const RobotModel robot = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  return robot;
-}
+using testing::argos;
 
 const Route kRoute = {.start = -1.0, .end = 0.0};  // odom is not the map
 

@@ -6,16 +6,13 @@
 #include <cmath>
 #include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/fg16/foothold_route.hpp>
-#include <hexagait/urdf/urdf.hpp>
 #include <set>
+#include <testing/argos.hpp>
 
 namespace hexagait::experiments {
 namespace {
 
-const RobotModel& argos() {
-  static const RobotModel robot = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  return robot;
-}
+using testing::argos;
 
 const sim3d::Terrain& step() {
   static const sim3d::Terrain terrain(sim3d::parse_terrain("step:0.12"), 1);

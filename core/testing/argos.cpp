@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <hexagait/urdf/urdf.hpp>
+#include <testing/argos.hpp>
+
+namespace hexagait::testing {
+
+const RobotModel& argos() {
+  static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  return model;
+}
+
+}  // namespace hexagait::testing
