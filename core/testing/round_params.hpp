@@ -8,7 +8,7 @@
 
 namespace hexagait::testing {
 
-inline void round_walk(RobotParams& p) {
+inline void round_steps(RobotParams& p) {
   p.step.stroke = 0.20;
   p.step.height = 0.10;
   p.step.level_height = 0.5;
@@ -45,7 +45,9 @@ inline void round_walk(RobotParams& p) {
   p.swing.follow_rate = 10.0;
   p.swing.effort_time = 0.1;
   p.swing.lag_speed = 0.3;
+}
 
+inline void round_body(RobotParams& p) {
   p.base.acceleration = 1.2;
   p.base.braking_distance = 0.005;
   p.base.max_speed = 0.60;
@@ -59,7 +61,8 @@ inline void round_walk(RobotParams& p) {
   p.base.outer_radius = 0.8;
   p.base.displacement_period = 0.0;
 
-  p.spring.frequency = p.spring.turn_frequency = 12.5;
+  p.spring.frequency = 12.5;
+  p.spring.turn_frequency = 12.5;
 
   p.tolerance.tie = 0.001;
   p.tolerance.slide = 0.001;
@@ -120,7 +123,8 @@ inline void round_plant_and_referee(RobotParams& p) {
 /// Parameters for tests that compute with them: round numbers, fit for a robot of 1 m and 50 kg.
 inline RobotParams round_params() {
   RobotParams p;
-  round_walk(p);
+  round_steps(p);
+  round_body(p);
   round_script(p);
   round_plant_and_referee(p);
   return p;
