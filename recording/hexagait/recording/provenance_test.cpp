@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <hexagait/recording/detail/walk_json.hpp>
+#include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/urdf.hpp>
 
 namespace hexagait::recording {
@@ -24,6 +25,10 @@ TEST(ModelHash, ChangesWithEveryNumberOfTheModelAndWithNothingElse) {
     change(other);
     EXPECT_NE(model_hash(other), hash);
   }
+}
+
+TEST(Simulate, RefusesASimulationWithoutCommands) {
+  EXPECT_THROW(static_cast<void>(simulate(argos(), Simulation{})), InvalidInput);
 }
 
 TEST(Provenance, NamesRobotPhysicsControllerAndLibraries) {
