@@ -69,6 +69,8 @@ inline void round_body(RobotParams& p) {
   p.tolerance.in_a_row = 0.001;
   p.tolerance.turn_arm = 0.5;
   p.tolerance.level_time = 4.0;
+  p.tolerance.servo_stiffness = 8.0;
+  p.tolerance.gravity_time = 1.0;
   p.tolerance.tilt_time = 5.0;
 }
 

@@ -42,6 +42,7 @@ RobotState StateEstimator::start(const Measurement& measurement, RestsOn rests_o
   }
   odometry_.reset(state, rests_on);
   since_imu_ = 0.0;
+  gravity_ = {};
   if (has_imu(measurement)) {
     tilt_.reset(*measurement.imu);
     odometry_.level(state, tilt_.up_B(), LegArray<double>(n, 1.0));
@@ -63,10 +64,28 @@ void StateEstimator::update(RobotState& state, const Measurement& measurement,
   const LegArray<double> footing = executor.footing();
   odometry_.update(state, footing, dt);
   since_imu_ += dt;
-  if (!has_imu(measurement)) return;
+  if (!has_imu(measurement)) return feel_gravity(state, executor, footing, dt);
   tilt_.update(*measurement.imu, since_imu_);
   since_imu_ = 0.0;
   odometry_.level(state, tilt_.up_B(), footing);
+}
+
+// Only while it walks: scripted feet push against each other on purpose, and those that efforts drive have
+// no targets of position.
+void StateEstimator::feel_gravity(RobotState& state, const Executor& executor,
+                                  const LegArray<double>& footing, double dt) noexcept {
+  const ExecutorParams& params = executor.params();
+  if (!sensors_.joint_feedback || !params.swing.reflexes || model_->legs[0].has_two_joints() ||
+      params.controller != WholeBodyController::kinematic)
+    return;
+  int stand = 0;
+  for (LegId i = 0; i < model_->num_legs(); ++i)
+    stand += executor.legs()[i].phase == LegPhase::support && state.contact[i] ? 1 : 0;
+  const Vector3 change =
+      gravity_.update(*model_, state, executor.targets(), stand, dt, odometry_.tolerance());
+  if (change.isZero()) return;
+  const Vector3 up_B = state.X_OB.R.row(2);
+  odometry_.level(state, (up_B + change).normalized(), footing);
 }
 
 }  // namespace hexagait

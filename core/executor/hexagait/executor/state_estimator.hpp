@@ -3,6 +3,7 @@
 #pragma once
 
 #include <hexagait/executor/executor.hpp>
+#include <hexagait/executor/gravity_sense.hpp>
 #include <hexagait/plant/odometry.hpp>
 #include <hexagait/plant/tilt_filter.hpp>
 
@@ -38,6 +39,8 @@ class StateEstimator {
               double dt) noexcept;
 
  private:
+  void feel_gravity(RobotState& state, const Executor& executor, const LegArray<double>& footing,
+                    double dt) noexcept;
   [[nodiscard]] bool has_imu(const Measurement& measurement) const {
     return sensors_.imu && measurement.imu.has_value();
   }
@@ -46,6 +49,7 @@ class StateEstimator {
   SensorMask sensors_;
   Odometry odometry_;
   TiltFilter tilt_;
+  GravitySense gravity_;
   double since_imu_ = 0.0;  ///< time since its last measurement [s]
 };
 

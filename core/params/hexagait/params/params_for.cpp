@@ -207,6 +207,10 @@ constexpr Parameter kParameters[] = {
     {"tolerance.tilt_time", "s", 15.5, time, [](P& p) -> double& { return p.tolerance.tilt_time; }},
     {"tolerance.level_time", "s", 12.0, time,
      [](P& p) -> double& { return p.tolerance.level_time; }},
+    {"tolerance.servo_stiffness", "m", 8.0, size,
+     [](P& p) -> double& { return p.tolerance.servo_stiffness; }},
+    {"tolerance.gravity_time", "s", 3.1, time,
+     [](P& p) -> double& { return p.tolerance.gravity_time; }},
 
     {"script.profile_height", "m", 0.364, reach,
      [](P& p) -> double& { return p.script.profile_height; }},

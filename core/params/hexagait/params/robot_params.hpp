@@ -160,6 +160,13 @@ struct ToleranceParams {
   /// τ of (odometry 5): in so long odometry takes over what an inclinometer reads [s]. Shorter: noise and
   /// sway of the inclinometer reach the feet. Longer: an error of tilt lasts.
   double level_time = kDerived;
+  /// Stiffness of the joints' servos over the robot's weight, K/(m g) of (odometry 6): without an inertial
+  /// sensor the tilt of odometry is corrected by how the joints give way [m]. 0: it is not. Larger than it
+  /// is: corrected too fast.
+  double servo_stiffness = kDerived;
+  /// τ of (odometry 7): the same for that correction [s]. Shorter: pushes and impacts count as tilt. Longer:
+  /// an error of tilt lasts.
+  double gravity_time = kDerived;
 };
 
 /// Durations, speeds and tolerances of scripted actions.

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <hexagait/executor/gravity_sense.hpp>
+#include <hexagait/model/kinematics.hpp>
+
+namespace hexagait {
+namespace {
+
+constexpr double kForgets = 10.0;  // λ and σ², in times of τ
+constexpr double kKnown = 1.25;  // λ is known once r has varied for so long as much as it is, of τ
+constexpr double kNoise = 0.1;   // σ₀ [rad]
+constexpr double kMost = 0.6;    // more in one tick is an impact [rad]
+constexpr double kTrusted = 0.05;  // odometry is, within this [rad]
+constexpr int kSteady = 3;         // feet
+
+// The forces of a foot that make these joint efforts and joint efforts: J⁻ᵀ of both.
+struct Forces {
+  Vector3 of_deflection, of_speed;
+};
+
+Forces forces(const LegModel& leg, const LegTrig& trig, const LegJoints& deflection,
+              const LegJoints& speed) {
+  const LegJacobian J = foot_jacobian(leg, trig);
+  if (leg.num_joints() == 3) {
+    const Vector3 a = J.col(0), b = J.col(1), c = J.col(2);
+    const Vector3 bc = b.cross(c), ca = c.cross(a), ab = a.cross(b);
+    const double scale = 1.0 / a.dot(bc);
+    const auto solved = [&](const LegJoints& v) {
+      return Vector3(scale * (v[0] * bc + v[1] * ca + v[2] * ab));
+    };
+    return {solved(deflection), solved(speed)};
+  }
+  // Redundant joints: the force that explains the efforts best.
+  const Matrix3 inverse = (J * J.transpose()).inverse();
+  return {inverse * (J * deflection), inverse * (J * speed)};
+}
+
+}  // namespace
+
+double GravitySense::lag() const noexcept { return rr_ > 0.0 ? std::max(0.0, rs_ / rr_) : 0.0; }
+
+Vector3 GravitySense::update(const RobotModel& model, const RobotState& state,
+                             const JointTargets& targets, int stand, double dt,
+                             const ToleranceParams& tolerance) noexcept {
+  if (stand < kSteady || !(tolerance.servo_stiffness > 0.0)) return Vector3::Zero();
+  Vector3 s = Vector3::Zero(), r = Vector3::Zero();
+  for (LegId i = 0; i < model.num_legs(); ++i) {
+    const Forces of =
+        forces(model.legs[i], state.trig[i], targets.q[i] - state.q[i], targets.qd[i]);
+    s -= tolerance.servo_stiffness * of.of_deflection;
+    r -= tolerance.servo_stiffness * of.of_speed;
+  }
+  if (!s.allFinite() || !r.allFinite()) return Vector3::Zero();  // a leg is stretched
+
+  const double tau = tolerance.gravity_time;
+  const double fast = dt / (dt + tau), slow = dt / (dt + kForgets * tau);
+  mean_s_ += fast * (s - mean_s_);
+  mean_r_ += fast * (r - mean_r_);
+  speed2_ += fast * (r.squaredNorm() - speed2_);
+  const Vector3 vary = r - mean_r_;
+  rs_ += slow * (vary.dot(s - mean_s_) - rs_);
+  rr_ += slow * (vary.squaredNorm() - rr_);
+  if (kKnown * speed2_ > kForgets * rr_) return Vector3::Zero();
+
+  const Vector3 up_B = state.X_OB.R.row(2);
+  Vector3 off = s - lag() * r;
+  const double along = off.dot(up_B);
+  off -= along * up_B;
+  if (const double size = off.norm(); size > kMost) off *= kMost / size;
+  mean_ += fast * (off - mean_);
+  noise2_ += slow * ((off - mean_).squaredNorm() + along * along - noise2_);
+  const double mean = mean_.norm();
+  if (mean <= kTrusted) return Vector3::Zero();
+  const double noise = noise2_ / (kNoise * kNoise);
+  return fast * (1.0 - kTrusted / mean) / (1.0 + noise * noise) * off;
+}
+
+}  // namespace hexagait
