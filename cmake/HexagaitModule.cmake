@@ -18,9 +18,6 @@ function(hexagait_options target)
                          -fno-math-errno -fno-trapping-math -fno-semantic-interposition
                          $<$<BOOL:${HEXAGAIT_WERROR}>:-Werror>
                          $<$<AND:$<BOOL:${arg_COLD}>,$<CONFIG:Release>>:-O1>)
-  if(HEXAGAIT_PRECOMPILED)
-    hexagait_precompiled(${target})
-  endif()
 endfunction()
 
 function(hexagait_module name)
@@ -97,21 +94,15 @@ function(hexagait_scripts room)
   target_include_directories(hexagait_${room} PRIVATE ${generated})
 endfunction()
 
-# What every test includes is read once: a quarter of the time that it takes to compile one. The library
-# and the command only with HEXAGAIT_PRECOMPILED, for a second build: that each of their headers and
-# sources includes what it uses, is seen by compiling it without.
+# What every test includes is read once: a quarter of the time that it takes to compile one. Only
+# tests: that each header and source of the library includes what it uses, is seen by compiling it.
 function(hexagait_precompiled target)
-  get_target_property(has_it ${target} PRECOMPILE_HEADERS_REUSE_FROM)
-  if(has_it OR target STREQUAL hexagait_test_headers)
-    return()
-  endif()
   if(NOT TARGET hexagait_test_headers)
     file(CONFIGURE OUTPUT test_headers.cpp CONTENT "")
     add_library(hexagait_test_headers OBJECT ${CMAKE_CURRENT_BINARY_DIR}/test_headers.cpp)
     target_compile_features(hexagait_test_headers PRIVATE cxx_std_20)
     target_link_libraries(hexagait_test_headers PRIVATE Eigen3::Eigen GTest::gmock)
-    target_precompile_headers(hexagait_test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h> <Eigen/Geometry>
-                              $<$<BOOL:${HEXAGAIT_PRECOMPILED}>:<fmt/format.h$<ANGLE-R>>)
+    target_precompile_headers(hexagait_test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h> <Eigen/Geometry>)
     hexagait_options(hexagait_test_headers)
   endif()
   target_precompile_headers(${target} REUSE_FROM hexagait_test_headers)

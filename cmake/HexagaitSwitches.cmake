@@ -70,6 +70,4 @@ hexagait_switch(HEXAGAIT_TESTS "The tests; need GoogleTest, RapidCheck, NLopt an
 hexagait_switch(HEXAGAIT_BENCH "The benchmarks; need Google Benchmark" OFF HEXAGAIT_SWEEPS)
 hexagait_switch(HEXAGAIT_FUZZ "The fuzzers of the loaders; need clang" OFF HEXAGAIT_ACTIONS HEXAGAIT_URDF)
 option(HEXAGAIT_WERROR "Treat warnings as errors" OFF)
-option(HEXAGAIT_PRECOMPILED "Precompile the headers that most sources read, not only for tests; needs HEXAGAIT_TESTS" OFF)
-mark_as_advanced(HEXAGAIT_PRECOMPILED)
 hexagait_check_switches()
