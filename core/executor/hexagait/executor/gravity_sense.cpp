@@ -16,7 +16,7 @@ constexpr double kMost = 0.6;    // more in one tick is an impact [rad]
 constexpr double kTrusted = 0.05;  // odometry is, within this [rad]
 constexpr int kSteady = 3;         // feet
 
-// The forces of a foot that make these joint efforts and joint efforts: J⁻ᵀ of both.
+// J⁻ᵀ e and J⁻ᵀ q̇* of (odometry 6).
 struct Forces {
   Vector3 of_deflection, of_speed;
 };

@@ -17,8 +17,7 @@ namespace {
 
 constexpr double kTrusted = 0.05;  // what is left to odometry [rad]
 
-// A robot that stands still in its nominal stance, and whose odometry takes `taken_O` for up while it is z.
-// What carries it is computed forwards: forces of the feet → efforts → what the servos give way by.
+// A robot that stands still in its nominal stance, and whose odometry may be wrong about what is up. What carries it is computed forwards: forces of the feet → efforts → what the servos give way by.
 struct Standing {
   explicit Standing(const std::string& robot)
       : model(load_urdf(HEXAGAIT_SOURCE_DIR "/robots/" + robot + ".urdf")),
