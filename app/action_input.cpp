@@ -11,7 +11,7 @@
 #include <hexagait/text/text_file.hpp>
 #include <hexagait/text/violations.hpp>
 #include <hexagait/urdf/urdf.hpp>
-#include <hexagait/walk/action_check.hpp>
+#include <hexagait/walk/actions/action_check.hpp>
 #include <hexagait/yaml/placeholders.hpp>
 #include <hexagait/yaml/yaml_tree.hpp>
 

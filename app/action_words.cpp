@@ -8,7 +8,7 @@
 #include <cmath>
 #include <hexagait/recording/detail/walk_json.hpp>
 #include <hexagait/recording/version.hpp>
-#include <hexagait/walk/action_check.hpp>
+#include <hexagait/walk/actions/action_check.hpp>
 
 #include "words.hpp"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/walk/action_trial.hpp>
+#include <hexagait/walk/actions/action_trial.hpp>
 #include <string>
 
 #include "action_input.hpp"

@@ -13,7 +13,7 @@
 #include <hexagait/text/nearest_word.hpp>
 #include <hexagait/text/parse_number.hpp>
 #include <hexagait/text/quantity.hpp>
-#include <hexagait/walk/path_file.hpp>
+#include <hexagait/walk/paths/path_file.hpp>
 
 namespace hexagait::app {
 namespace {

@@ -6,7 +6,7 @@
 #include <hexagait/recording/action_figure.hpp>
 #include <hexagait/recording/simulation.hpp>
 #include <hexagait/sim3d/world.hpp>
-#include <hexagait/walk/action_check.hpp>
+#include <hexagait/walk/actions/action_check.hpp>
 
 #include "action_words.hpp"
 #include "commands.hpp"

@@ -8,7 +8,7 @@
 #include <hexagait/pipe/robot_process.hpp>
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/text/text_file.hpp>
-#include <hexagait/walk/path_file.hpp>
+#include <hexagait/walk/paths/path_file.hpp>
 #include <hexagait/yaml/yaml_tree.hpp>
 #include <limits>
 #include <memory>

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <hexagait/walk/path_file.hpp>
+#include <hexagait/walk/paths/path_file.hpp>
 
 namespace hexagait::app {
 namespace {

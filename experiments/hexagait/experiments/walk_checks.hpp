@@ -3,7 +3,7 @@
 #pragma once
 
 #include <hexagait/experiments/claim.hpp>
-#include <hexagait/walk/summary.hpp>
+#include <hexagait/walk/referee/summary.hpp>
 #include <span>
 
 namespace hexagait::experiments {

@@ -6,7 +6,7 @@
 #include <hexagait/recording/detail/walk_json.hpp>
 #include <hexagait/recording/json.hpp>
 #include <hexagait/recording/version.hpp>
-#include <hexagait/walk/path_file.hpp>
+#include <hexagait/walk/paths/path_file.hpp>
 #include <nlohmann/json.hpp>
 
 namespace hexagait::recording {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 #include <hexagait/sim3d/world.hpp>
-#include <hexagait/walk/faults.hpp>
-#include <hexagait/walk/part_faults.hpp>
+#include <hexagait/walk/faults/faults.hpp>
+#include <hexagait/walk/faults/part_faults.hpp>
 #include <span>
 #include <string>
 #include <string_view>

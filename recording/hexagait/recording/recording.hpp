@@ -8,7 +8,7 @@
 #include <hexagait/figures/csv.hpp>
 #include <hexagait/sim2d/terrain2d.hpp>
 #include <hexagait/sim3d/terrain.hpp>
-#include <hexagait/walk/referee.hpp>
+#include <hexagait/walk/referee/referee.hpp>
 #include <limits>
 #include <vector>
 

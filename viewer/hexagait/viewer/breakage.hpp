@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/walk/part_faults.hpp>
+#include <hexagait/walk/faults/part_faults.hpp>
 #include <span>
 
 namespace hexagait::viewer {

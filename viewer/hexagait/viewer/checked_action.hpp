@@ -3,7 +3,7 @@
 #pragma once
 
 #include <atomic>
-#include <hexagait/walk/action_check.hpp>
+#include <hexagait/walk/actions/action_check.hpp>
 #include <optional>
 #include <string>
 #include <vector>

@@ -8,7 +8,7 @@
 #include <hexagait/path_following/path_faults.hpp>
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/viewer/followed_path.hpp>
-#include <hexagait/walk/path_file.hpp>
+#include <hexagait/walk/paths/path_file.hpp>
 
 namespace hexagait::viewer {
 namespace {

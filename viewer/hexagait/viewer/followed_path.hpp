@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <hexagait/walk/path_judge.hpp>
-#include <hexagait/walk/path_pilot.hpp>
+#include <hexagait/walk/paths/path_pilot.hpp>
+#include <hexagait/walk/referee/path_judge.hpp>
 #include <span>
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <hexagait/viewer/performance.hpp>
-#include <hexagait/walk/action_check.hpp>
+#include <hexagait/walk/actions/action_check.hpp>
 
 namespace hexagait::viewer {
 namespace {

@@ -5,7 +5,7 @@
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/viewer/breakage.hpp>
 #include <hexagait/viewer/simulated_walk.hpp>
-#include <hexagait/walk/referee.hpp>
+#include <hexagait/walk/referee/referee.hpp>
 #include <hexagait/walk/trial.hpp>
 #include <limits>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <hexagait/viewer/steered_walk.hpp>
-#include <hexagait/walk/faults.hpp>
+#include <hexagait/walk/faults/faults.hpp>
 
 namespace hexagait::viewer {
 

@@ -4,7 +4,7 @@
 #include <hexagait/math/planar.hpp>
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/viewer/steered_walk.hpp>
-#include <hexagait/walk/action_check.hpp>
+#include <hexagait/walk/actions/action_check.hpp>
 
 namespace hexagait::viewer {
 namespace {

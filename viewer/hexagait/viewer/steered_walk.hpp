@@ -7,7 +7,7 @@
 #include <hexagait/viewer/followed_path.hpp>
 #include <hexagait/viewer/frame_maker.hpp>
 #include <hexagait/viewer/performance.hpp>
-#include <hexagait/walk/reference_path.hpp>
+#include <hexagait/walk/referee/reference_path.hpp>
 #include <memory>
 
 namespace hexagait::viewer {

@@ -4,7 +4,7 @@
 
 #include <hexagait/sim3d/world.hpp>
 #include <hexagait/urdf/urdf.hpp>
-#include <hexagait/walk/faults.hpp>
+#include <hexagait/walk/faults/faults.hpp>
 #include <hexagait/walk/trial.hpp>
 #include <numbers>
 

@@ -4,8 +4,8 @@
 
 #include <functional>
 #include <hexagait/footstep_gen/walker.hpp>
-#include <hexagait/walk/path_pilot.hpp>
-#include <hexagait/walk/referee.hpp>
+#include <hexagait/walk/paths/path_pilot.hpp>
+#include <hexagait/walk/referee/referee.hpp>
 #include <hexagait/walk/schedule.hpp>
 #include <limits>
 

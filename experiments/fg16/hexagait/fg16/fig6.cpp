@@ -13,7 +13,7 @@
 #include <hexagait/fg16/foothold_route.hpp>
 #include <hexagait/fg16/judges.hpp>
 #include <hexagait/figures/csv.hpp>
-#include <hexagait/walk/action_trial.hpp>
+#include <hexagait/walk/actions/action_trial.hpp>
 
 namespace hexagait::experiments {
 namespace {

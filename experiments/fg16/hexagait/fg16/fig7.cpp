@@ -14,7 +14,7 @@
 #include <hexagait/fg16/judges.hpp>
 #include <hexagait/fg16/localisation.hpp>
 #include <hexagait/figures/csv.hpp>
-#include <hexagait/walk/action_trial.hpp>
+#include <hexagait/walk/actions/action_trial.hpp>
 
 namespace hexagait::experiments {
 namespace {

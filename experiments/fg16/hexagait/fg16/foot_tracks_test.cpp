@@ -7,7 +7,7 @@
 #include <hexagait/fg16/foothold_route.hpp>
 #include <hexagait/fg16/localisation.hpp>
 #include <hexagait/sim3d/world.hpp>
-#include <hexagait/walk/action_trial.hpp>
+#include <hexagait/walk/actions/action_trial.hpp>
 #include <hexagait/walk/trial.hpp>
 #include <testing/argos.hpp>
 

@@ -4,7 +4,7 @@
 
 #include <hexagait/experiments/claim.hpp>
 #include <hexagait/fg16/foot_tracks.hpp>
-#include <hexagait/walk/action_trial.hpp>
+#include <hexagait/walk/actions/action_trial.hpp>
 #include <span>
 
 /// The claims of [FG16], judged: what each experiment measured, and the verdicts on it.

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <hexagait/experiments/claim.hpp>
-#include <hexagait/walk/path_pilot.hpp>
-#include <hexagait/walk/summary.hpp>
+#include <hexagait/walk/paths/path_pilot.hpp>
+#include <hexagait/walk/referee/summary.hpp>
 #include <string>
 #include <vector>
 

@@ -5,7 +5,7 @@
 #include <hexagait/params/params_for.hpp>
 #include <hexagait/paths/path_shapes.hpp>
 #include <hexagait/urdf/urdf.hpp>
-#include <hexagait/walk/path_file.hpp>
+#include <hexagait/walk/paths/path_file.hpp>
 
 namespace hexagait::experiments {
 namespace {

@@ -8,7 +8,7 @@
 #include <hexagait/pc04/gait_tables.hpp>
 #include <hexagait/pc04/slice_comparison.hpp>
 #include <hexagait/recording/genghis.hpp>
-#include <hexagait/walk/summary.hpp>
+#include <hexagait/walk/referee/summary.hpp>
 
 /// The claims of [PC04], judged: what each experiment measured, and the verdicts on it.
 namespace hexagait::experiments {

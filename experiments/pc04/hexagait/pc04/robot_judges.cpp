@@ -6,7 +6,7 @@
 #include <cmath>
 #include <hexagait/experiments/walk_checks.hpp>
 #include <hexagait/pc04/robot_judges.hpp>
-#include <hexagait/walk/referee.hpp>
+#include <hexagait/walk/referee/referee.hpp>
 #include <numbers>
 
 namespace hexagait::experiments {
