@@ -7,8 +7,8 @@
 #include <chrono>
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/text/parse_number.hpp>
-#include <hexagait/viewer/page_files.hpp>
-#include <hexagait/viewer/server.hpp>
+#include <hexagait/viewer/server/page_files.hpp>
+#include <hexagait/viewer/server/server.hpp>
 #include <thread>
 
 #include "interrupt.hpp"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <functional>
-#include <hexagait/viewer/host.hpp>
+#include <hexagait/viewer/server/host.hpp>
 #include <limits>
 
 #include "page_options.hpp"

@@ -6,10 +6,10 @@
 #include <cstring>
 #include <fstream>
 #include <hexagait/text/invalid_input.hpp>
-#include <hexagait/viewer/page_files.hpp>
-#include <hexagait/viewer/replay_file.hpp>
-#include <hexagait/viewer/replay_host.hpp>
-#include <hexagait/viewer/replay_page.hpp>
+#include <hexagait/viewer/replay/replay_file.hpp>
+#include <hexagait/viewer/replay/replay_host.hpp>
+#include <hexagait/viewer/replay/replay_page.hpp>
+#include <hexagait/viewer/server/page_files.hpp>
 #include <iterator>
 #include <nlohmann/json.hpp>
 

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include <hexagait/text/invalid_input.hpp>
-#include <hexagait/viewer/page_files.hpp>
-#include <hexagait/viewer/replay_page.hpp>
+#include <hexagait/viewer/replay/replay_page.hpp>
+#include <hexagait/viewer/server/page_files.hpp>
 
 namespace hexagait::app {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "replay_output.hpp"
 
-#include <hexagait/viewer/walk_recorder.hpp>
+#include <hexagait/viewer/replay/walk_recorder.hpp>
 
 #include "output.hpp"
 #include "replay_files.hpp"

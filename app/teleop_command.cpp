@@ -4,7 +4,7 @@
 
 #include <chrono>
 #include <cmath>
-#include <hexagait/viewer/key_steering.hpp>
+#include <hexagait/viewer/steering/key_steering.hpp>
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"

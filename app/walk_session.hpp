@@ -3,7 +3,7 @@
 #pragma once
 
 #include <functional>
-#include <hexagait/viewer/session.hpp>
+#include <hexagait/viewer/session/session.hpp>
 #include <string>
 
 #include "arguments.hpp"

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <hexagait/viewer/command.hpp>
+#include <hexagait/viewer/steering/command.hpp>
 
 namespace hexagait::viewer {
 namespace {

@@ -3,8 +3,8 @@
 #include <chrono>
 #include <cstdio>
 #include <hexagait/urdf/urdf.hpp>
-#include <hexagait/viewer/server.hpp>
-#include <hexagait/viewer/session.hpp>
+#include <hexagait/viewer/server/server.hpp>
+#include <hexagait/viewer/session/session.hpp>
 #include <thread>
 
 // Serves a walk for half a second.

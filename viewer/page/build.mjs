@@ -51,7 +51,7 @@ const numbers = (bytes) => bytes.toString("hex").replace(/../g, (hex) => `${pars
 
 const compressed = files.map(([path, type, content]) => [path, type, gzipSync(content, { level: 9 })]);
 writeFileSync(join(build, "page_files.cpp"), `// Made by build.mjs.
-#include <hexagait/viewer/page_files.hpp>
+#include <hexagait/viewer/server/page_files.hpp>
 
 namespace hexagait::viewer {
 namespace {

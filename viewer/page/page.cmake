@@ -3,7 +3,7 @@
 # itself never asks anybody but its server.
 set(page_source ${CMAKE_CURRENT_SOURCE_DIR}/page)
 set(page_build ${CMAKE_CURRENT_BINARY_DIR}/page)
-set(page_by hexagait/viewer/page_by_none.cpp)
+set(page_by hexagait/viewer/server/page_by_none.cpp)
 if(HEXAGAIT_PAGE AND HEXAGAIT_NODE AND HEXAGAIT_NPM)
   file(MAKE_DIRECTORY ${page_build})
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${page_source}/package-lock.json)

@@ -4,7 +4,7 @@
 
 #include <cmath>
 #include <hexagait/urdf/urdf.hpp>
-#include <hexagait/viewer/simulated_walk.hpp>
+#include <hexagait/viewer/walking/simulated_walk.hpp>
 #include <limits>
 
 namespace hexagait::viewer::testing {

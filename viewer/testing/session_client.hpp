@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <hexagait/viewer/session.hpp>
+#include <hexagait/viewer/session/session.hpp>
 #include <string>
 
 namespace hexagait::viewer::testing {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reads a pose frame: the bytes of hexagait/viewer/pose_frame.hpp.
+// Reads a pose frame: the bytes of hexagait/viewer/display/pose_frame.hpp.
 
 export const kVersion = 2;
 export const kPhases = ["support", "unload", "lift", "transfer", "descend", "retreat", "follow", "search", "hold", "lost"];

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reads a replay: the bytes of hexagait/viewer/replay_file.hpp.
+// Reads a replay: the bytes of hexagait/viewer/replay/replay_file.hpp.
 import { Tape } from "./tape.js";
 
 const kMagic = "hxreplay", kVersion = 1, kHead = 12;
