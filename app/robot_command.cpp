@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <hexagait/figures/gnuplot.hpp>
+#include <hexagait/recording/figures/robot_figure.hpp>
 #include <hexagait/recording/json.hpp>
-#include <hexagait/recording/robot_figure.hpp>
 
 #include "commands.hpp"
 #include "output.hpp"

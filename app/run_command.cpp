@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <hexagait/figures/gnuplot.hpp>
-#include <hexagait/recording/action_figure.hpp>
+#include <hexagait/recording/figures/action_figure.hpp>
 #include <hexagait/recording/simulation.hpp>
 #include <hexagait/sim3d/world.hpp>
 #include <hexagait/walk/actions/action_check.hpp>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <hexagait/figures/gnuplot.hpp>
-#include <hexagait/recording/terrain_figure.hpp>
+#include <hexagait/recording/figures/terrain_figure.hpp>
 #include <hexagait/text/invalid_input.hpp>
 
 #include "arguments.hpp"

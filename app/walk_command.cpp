@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <hexagait/figures/gnuplot.hpp>
-#include <hexagait/recording/movie.hpp>
+#include <hexagait/recording/figures/movie.hpp>
+#include <hexagait/recording/figures/walk_figure.hpp>
 #include <hexagait/recording/trace.hpp>
-#include <hexagait/recording/walk_figure.hpp>
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <map>

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <hexagait/recording/figures/movie.hpp>
+#include <hexagait/recording/figures/robot_view.hpp>
+#include <hexagait/recording/figures/walk_figure.hpp>
 #include <hexagait/recording/genghis.hpp>
-#include <hexagait/recording/movie.hpp>
-#include <hexagait/recording/robot_view.hpp>
 #include <hexagait/recording/trace.hpp>
-#include <hexagait/recording/walk_figure.hpp>
 #include <set>
 #include <sstream>
 

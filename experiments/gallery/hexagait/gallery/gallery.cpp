@@ -8,7 +8,7 @@
 #include <hexagait/experiments/on_workers.hpp>
 #include <hexagait/gallery/gallery.hpp>
 #include <hexagait/gallery/robot_tally.hpp>
-#include <hexagait/recording/robot_sheet.hpp>
+#include <hexagait/recording/figures/robot_sheet.hpp>
 
 namespace hexagait::experiments {
 namespace {

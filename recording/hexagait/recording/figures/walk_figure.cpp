@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <hexagait/recording/robot_view.hpp>
-#include <hexagait/recording/walk.gp.hpp>
-#include <hexagait/recording/walk_figure.hpp>
+#include <hexagait/recording/figures/robot_view.hpp>
+#include <hexagait/recording/figures/walk.gp.hpp>
+#include <hexagait/recording/figures/walk_figure.hpp>
 
 namespace hexagait::recording {
 namespace {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <hexagait/recording/terrain_figure.hpp>
+#include <hexagait/recording/figures/terrain_figure.hpp>
 
 namespace hexagait::recording {
 namespace {

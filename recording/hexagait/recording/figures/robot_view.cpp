@@ -6,7 +6,7 @@
 #include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/math/planar.hpp>
 #include <hexagait/model/kinematics.hpp>
-#include <hexagait/recording/robot_view.hpp>
+#include <hexagait/recording/figures/robot_view.hpp>
 
 namespace hexagait::recording {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <hexagait/figures/csv.hpp>
-#include <hexagait/recording/action.gp.hpp>
-#include <hexagait/recording/action_figure.hpp>
+#include <hexagait/recording/figures/action.gp.hpp>
+#include <hexagait/recording/figures/action_figure.hpp>
 
 namespace hexagait::recording {
 namespace {

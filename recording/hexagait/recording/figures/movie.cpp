@@ -6,9 +6,9 @@
 #include <cmath>
 #include <hexagait/figures/figure.hpp>
 #include <hexagait/figures/gnuplot.hpp>
-#include <hexagait/recording/movie.gp.hpp>
-#include <hexagait/recording/movie.hpp>
-#include <hexagait/recording/robot_view.hpp>
+#include <hexagait/recording/figures/movie.gp.hpp>
+#include <hexagait/recording/figures/movie.hpp>
+#include <hexagait/recording/figures/robot_view.hpp>
 
 namespace hexagait::recording {
 namespace {

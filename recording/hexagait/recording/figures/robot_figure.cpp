@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <hexagait/model/kinematics.hpp>
-#include <hexagait/recording/detail/robot_tables.hpp>
-#include <hexagait/recording/robot.gp.hpp>
-#include <hexagait/recording/robot_figure.hpp>
-#include <hexagait/recording/robot_view.hpp>
+#include <hexagait/recording/figures/detail/robot_tables.hpp>
+#include <hexagait/recording/figures/robot.gp.hpp>
+#include <hexagait/recording/figures/robot_figure.hpp>
+#include <hexagait/recording/figures/robot_view.hpp>
 
 namespace hexagait::recording {
 namespace {

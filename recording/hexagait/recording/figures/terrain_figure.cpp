@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <hexagait/recording/terrain_figure.gp.hpp>
-#include <hexagait/recording/terrain_figure.hpp>
+#include <hexagait/recording/figures/terrain_figure.gp.hpp>
+#include <hexagait/recording/figures/terrain_figure.hpp>
 
 namespace hexagait::recording {
 namespace {

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <hexagait/recording/detail/robot_tables.hpp>
-#include <hexagait/recording/robot_sheet.gp.hpp>
-#include <hexagait/recording/robot_sheet.hpp>
+#include <hexagait/recording/figures/detail/robot_tables.hpp>
+#include <hexagait/recording/figures/robot_sheet.gp.hpp>
+#include <hexagait/recording/figures/robot_sheet.hpp>
 
 namespace hexagait::recording {
 namespace {
