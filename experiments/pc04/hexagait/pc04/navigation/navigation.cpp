@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include <hexagait/experiments/on_workers.hpp>
-#include <hexagait/pc04/navigation.gp.hpp>
-#include <hexagait/pc04/navigation_judge.hpp>
+#include <hexagait/pc04/navigation/navigation.gp.hpp>
+#include <hexagait/pc04/navigation/navigation_judge.hpp>
 #include <hexagait/pc04/pc04.hpp>
 
 namespace hexagait::experiments {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <hexagait/experiments/claim.hpp>
-#include <hexagait/pc04/navigation_walk.hpp>
+#include <hexagait/pc04/navigation/navigation_walk.hpp>
 #include <vector>
 
 namespace hexagait::experiments {

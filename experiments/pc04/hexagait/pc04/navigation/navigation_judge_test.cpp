@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <hexagait/pc04/navigation_judge.hpp>
+#include <hexagait/pc04/navigation/navigation_judge.hpp>
 
 namespace hexagait::experiments {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <hexagait/pc04/navigation_walk.hpp>
+#include <hexagait/pc04/navigation/navigation_walk.hpp>
 #include <limits>
 #include <set>
 

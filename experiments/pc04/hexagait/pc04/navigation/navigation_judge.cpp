@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <hexagait/experiments/walk_checks.hpp>
-#include <hexagait/pc04/navigation_judge.hpp>
+#include <hexagait/pc04/navigation/navigation_judge.hpp>
 
 namespace hexagait::experiments {
 namespace {
