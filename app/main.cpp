@@ -10,14 +10,14 @@
 #include <hexagait/text/invalid_input.hpp>
 #include <system_error>
 
-#include "action_options.hpp"
-#include "commands.hpp"
-#include "output.hpp"
-#include "replay_options.hpp"
-#include "steer_options.hpp"
-#include "sweep_command.hpp"
-#include "usage.hpp"
-#include "walk_options.hpp"
+#include "commands/commands.hpp"
+#include "commands/sweep_command.hpp"
+#include "options/action_options.hpp"
+#include "options/replay_options.hpp"
+#include "options/steer_options.hpp"
+#include "options/usage.hpp"
+#include "options/walk_options.hpp"
+#include "terminal/output.hpp"
 
 namespace hexagait::app {
 namespace {
