@@ -1,9 +1,10 @@
 # hexagait_module(NAME  COMPONENT … SOURCES … [TESTS …] [TEST_LIBRARIES …] [PUBLIC …] [PRIVATE …])
 #
 # A room: a library target hexagait::NAME with its tests. Headers, sources and tests lie side by side
-# in hexagait/NAME below the room's folder, which is its include root: a room can include only what
-# it links to, and headers are spelt the same in the tree and when installed. COMPONENT is the one of
-# find_package(hexagait COMPONENTS …) that brings it; what lies in detail/ is not installed.
+# in hexagait/NAME below the room's folder, where there are many in folders of it. The room's folder is
+# its include root: a room can include only what it links to, and headers are spelt the same in the tree
+# and when installed. COMPONENT is the one of find_package(hexagait COMPONENTS …) that brings it; what
+# lies in detail/ is not installed.
 
 # Warnings, for our own targets only; and no fused multiply-add: the same bits from every processor and
 # every optimisation level that keeps IEEE arithmetic. Those who link to us get this as well, from the
