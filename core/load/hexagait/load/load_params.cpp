@@ -52,8 +52,10 @@ void load_params(RobotParams& params, const std::string& path) {
     for (const auto& [name, parameter] : of_group) {
       const auto value = yaml.find(fields, name);
       if (!value) continue;
-      const auto number = yaml.number(
-          *value, {.bound = NumberRule::Bound::positive, .dimension = dimension_of(*parameter)});
+      const auto bound =
+          may_be_zero(*parameter) ? NumberRule::Bound::not_negative : NumberRule::Bound::positive;
+      const auto number =
+          yaml.number(*value, {.bound = bound, .dimension = dimension_of(*parameter)});
       if (number) parameter->in(params) = *number;
     }
   }

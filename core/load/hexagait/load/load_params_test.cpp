@@ -7,10 +7,13 @@
 #include <hexagait/load/load_params.hpp>
 #include <hexagait/params/set_parameter.hpp>
 #include <hexagait/text/invalid_input.hpp>
+#include <string>
+#include <vector>
 
 namespace hexagait {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 std::string written(const std::string& name, const std::string& text) {
@@ -48,6 +51,31 @@ TEST(SetParameter, SaysWhatIsWrong) {
   EXPECT_THAT(set("step.height=high"), HasSubstr("step.height: "));
   EXPECT_THAT(set("step.height=nan"), HasSubstr("step.height"));
   EXPECT_TRUE(is_derived(params.step.height));
+}
+
+// Of those RobotParams says what 0 does; the others would divide by it, or never move.
+TEST(SetParameter, TakesZeroWhereItSwitchesOff) {
+  std::vector<std::string> taken;
+  for (const Parameter& one : parameters()) {
+    RobotParams params;
+    if (!refusal([&] { set_parameter(params, std::string(one.name) + "=0"); }).empty()) continue;
+    EXPECT_EQ(one.in(params), 0.0) << one.name;
+    taken.emplace_back(one.name);
+  }
+  EXPECT_THAT(taken, ElementsAre("step.stability_margin", "swing.even_load_rate",
+                                 "base.displacement_period", "tolerance.servo_stiffness"));
+
+  RobotParams params;
+  EXPECT_THAT(refusal([&] { set_parameter(params, "tolerance.servo_stiffness=-1mm"); }),
+              HasSubstr("0 or greater"));
+}
+
+TEST(LoadParams, TakesZeroWhereItSwitchesOff) {
+  RobotParams params;
+  load_params(params, written("off.yaml", "tolerance: {servo_stiffness: 0}\n"));
+  EXPECT_EQ(params.tolerance.servo_stiffness, 0.0);
+  const std::string path = written("zero.yaml", "step: {stroke: 0}\n");
+  EXPECT_THAT(refusal([&] { load_params(params, path); }), HasSubstr("stroke"));
 }
 
 TEST(LoadParams, SetsWhatTheFileHas) {

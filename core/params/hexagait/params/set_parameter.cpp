@@ -14,6 +14,13 @@ Dimension dimension_of(const Parameter& parameter) {
   return unit == "s" ? Dimension::time : Dimension::number;
 }
 
+bool may_be_zero(const Parameter& parameter) {
+  static constexpr std::string_view kOff[] = {"step.stability_margin", "swing.even_load_rate",
+                                              "base.displacement_period",
+                                              "tolerance.servo_stiffness"};
+  return std::ranges::find(kOff, parameter.name) != std::end(kOff);
+}
+
 const Parameter& parameter_named(std::string_view name) {
   const auto all = parameters();
   const auto found = std::ranges::find(all, name, &Parameter::name);
@@ -32,9 +39,11 @@ void set_parameter(RobotParams& params, std::string_view text) {
   const Parameter& parameter = parameter_named(text.substr(0, equals));
   const auto [value, problem] = parse_quantity(text.substr(equals + 1), dimension_of(parameter));
   if (!problem.empty()) throw InvalidInput(std::string(parameter.name) + ": " + problem);
-  if (!(value > 0.0))
+  const bool zero = may_be_zero(parameter);
+  if (!(value > 0.0 || (zero && value == 0.0)))
     throw InvalidInput(std::string(parameter.name) + " is " + std::string(text.substr(equals + 1)) +
-                       "; it must be greater than 0 [" + parameter.unit + "]");
+                       "; it must be " + (zero ? "0 or greater" : "greater than 0") + " [" +
+                       parameter.unit + "]");
   parameter.in(params) = value;
 }
 
