@@ -104,6 +104,9 @@ void add_sweep(CLI::App& app, SweepArguments& a) {
       ->add_option("--trial-timeout", a.trial_timeout,
                    "Give a trial up after so long; default a minute and 10 times what it simulates")
       ->type_name("SECONDS");
+  sweep->add_flag(
+      "--retry", a.retry,
+      "Run trials without a result again, in place of their rows; no other row changes");
   sweep->add_flag("--yes", a.yes, "Go on even if it will take more than three days");
   sweep->add_flag("--json", a.json, "Print one JSON object");
   sweep->add_flag("--quiet", a.quiet, "No progress on stderr");

@@ -72,6 +72,7 @@ int emit(const SweepArguments& arguments) {
   if (arguments.shards.empty())
     throw InvalidInput("--emit needs --shards N: into how many jobs the sweep is cut");
   if (!arguments.shard.empty()) throw InvalidInput("--emit and --shard exclude each other");
+  if (arguments.retry) throw InvalidInput("--emit and --retry exclude each other");
   const std::string start =
       write_job_files(scheduler,
                       {.program = fs::read_symlink("/proc/self/exe"),
@@ -98,6 +99,10 @@ std::vector<std::string> ranges(const RunOutcome& outcome) {
 
 void tell_missing(const RunOutcome& outcome, const Shard& shard) {
   for (const std::string& failure : outcome.failures) fmt::print(stderr, "hexagait: {}\n", failure);
+  if (outcome.retried < outcome.to_retry)
+    fmt::print(stderr, "hexagait: {} of {} trials without a result have been run again\n",
+               outcome.retried, outcome.to_retry);
+  if (outcome.finished == outcome.trials) return;
   fmt::print(stderr,
              "hexagait: {} of {} trials are finished and kept; missing{}: {}\nThe same command "
              "again goes on with them.\n",
@@ -111,9 +116,9 @@ std::string as_json(const RunOutcome& outcome, const std::optional<Published>& p
   for (const std::string& range : ranges(outcome)) missing.push_back('"' + range + '"');
   return fmt::format(
       "{{\"trials\": {}, \"finished\": {}, \"finished_before\": {}, \"complete\": {}, "
-      "\"without_result\": {}, \"missing\": [{}], \"rows_hash\": {}}}\n",
+      "\"without_result\": {}, \"retried\": {}, \"missing\": [{}], \"rows_hash\": {}}}\n",
       outcome.trials, outcome.finished, outcome.before, outcome.complete(), outcome.without_result,
-      fmt::join(missing, ", "),
+      outcome.retried, fmt::join(missing, ", "),
       published ? fmt::format("\"{:016x}\"", published->rows_hash) : "null");
 }
 
@@ -166,6 +171,7 @@ RunOutcome run(const Sweep& sweep, const Shard& shard, const SweepArguments& arg
                                  {.jobs = processes,
                                   .stop = &stop,
                                   .trial_timeout = trial_timeout(arguments.trial_timeout),
+                                  .retry = arguments.retry,
                                   .progress = tell});
   progress.reset();
   if (too_long)

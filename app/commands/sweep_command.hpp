@@ -14,7 +14,8 @@ struct SweepArguments {
   std::string jobs, shard;
   std::string emit, shards;
   std::string trial_timeout;
-  bool yes = false;  ///< however long it takes
+  bool retry = false;  ///< what has no result
+  bool yes = false;    ///< however long it takes
   bool json = false, quiet = false;
 };
 

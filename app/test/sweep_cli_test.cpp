@@ -80,6 +80,7 @@ TEST_F(SweepCli, RefusesOptionsThatMakeNoSense) {
         std::pair("--shard 0/2", "'0'"),
         std::pair("--emit pbs --shards 2", "slurm, parallel or mpi"),
         std::pair("--emit slurm", "--shards N"), std::pair("--shards 2", "--emit"),
+        std::pair("--retry --emit mpi --shards 2", "--emit and --retry"),
         std::pair("--trial-timeout 0", "--trial-timeout is '0'"),
         std::pair("--trial-timeout soon", "0.001 to 10000000 seconds")}) {
     const Result result = run(std::string("sweep sweep.yaml --out a ") + options);
@@ -127,6 +128,23 @@ TEST_F(SweepCli, LosesAndRepeatsNoTrialWhenItIsInterrupted) {
   EXPECT_EQ(run("sweep long.yaml --out a --quiet").status, 0);
   EXPECT_EQ(lines(), 20'001);  // each trial once, and the first line
   EXPECT_EQ(run("sweep long.yaml --out b --quiet").status, 0);
+  EXPECT_EQ(content(at("a/trials.csv")), content(at("b/trials.csv")));
+}
+
+// A machine that was too slow: the walk comes out as if it had not been.
+TEST_F(SweepCli, RunsTrialsWithoutAResultAgain) {
+  write("walk.yaml",
+        "simulator: ode\ncontrollers: [tripod]\nterrains: [flat]\nseeds: [1]\nseconds: 3\n");
+  const Result slow = run("sweep walk.yaml --out a --quiet --trial-timeout 0.001");
+  EXPECT_EQ(slow.status, 0);
+  EXPECT_THAT(slow.err, HasSubstr("1 trial has no result"));
+  EXPECT_THAT(content(at("a/trials.csv")), HasSubstr(",timed_out,"));
+  EXPECT_THAT(run("sweep walk.yaml --out a --quiet").err, HasSubstr("1 trial has no result"));
+  const Result again = run("sweep walk.yaml --out a --quiet --retry --json");
+  EXPECT_EQ(again.status, 0);
+  EXPECT_THAT(again.err, IsEmpty());
+  EXPECT_EQ(nlohmann::json::parse(again.out)["retried"], 1);
+  EXPECT_EQ(run("sweep walk.yaml --out b --quiet").status, 0);
   EXPECT_EQ(content(at("a/trials.csv")), content(at("b/trials.csv")));
 }
 

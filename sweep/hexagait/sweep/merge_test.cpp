@@ -142,7 +142,7 @@ using JournalOrder = ScratchSweep;
 // Lines in reverse, as far apart as the window allows, come out in order.
 TEST_F(JournalOrder, IsRestoredWithinTheWindow) {
   {
-    Journal journal(at(""));
+    Journal journal(journal_path(at("")));
     journal.resume("{}", 0);
     for (std::uint64_t block = 0; block < 3; ++block) {
       std::string text;

@@ -11,6 +11,7 @@
 #include <hexagait/sweep/detail/worker_pool.hpp>
 #include <hexagait/sweep/run_shard.hpp>
 #include <map>
+#include <set>
 
 namespace hexagait::sweep {
 namespace {
@@ -37,7 +38,8 @@ std::string finished_trial(const Sweep& sweep, const Shard& shard, const RunOpti
 // Deals out the positions that are not done: first those that were taken back, then in rising order.
 class Dealer {
  public:
-  Dealer(DoneWindow done, std::uint64_t whole) : done_(std::move(done)), whole_(whole) {}
+  Dealer(DoneWindow done, std::uint64_t whole, const std::set<std::uint64_t>& again)
+      : done_(std::move(done)), whole_(whole), again_(again.begin(), again.end()) {}
 
   /// The next chunk; its count is 0 if there is none, for now or at all.
   [[nodiscard]] Chunk deal() {
@@ -82,10 +84,11 @@ class Dealer {
 // What the journal has already, if it is of this sweep.
 struct Past {
   DoneWindow done;
-  std::uint64_t finished = 0, without_result = 0, end = 0;
+  std::uint64_t finished = 0, without_result = 0, end = 0, retries_end = 0;
+  std::set<std::uint64_t> to_retry = {};  // positions
 };
 
-Past read_past(const std::filesystem::path& directory, const std::string& header) {
+Past read_past(const std::filesystem::path& directory, const std::string& header, bool retry) {
   Past past;
   if (!has_journal(directory)) return past;
   JournalReader reader(directory);
@@ -93,22 +96,32 @@ Past read_past(const std::filesystem::path& directory, const std::string& header
   while (const std::optional<Entry> entry = reader.next()) {
     past.done.mark(entry->position);
     ++past.finished;
-    past.without_result += has_no_result(entry->row) ? 1 : 0;
+    if (!has_no_result(entry->row)) continue;
+    ++past.without_result;
+    if (retry) past.to_retry.insert(entry->position);
   }
   past.end = reader.end();
+  past.retries_end = reader.retries_end();
   return past;
 }
 
-// One run of a shard: hands out chunks and puts the answers into the journal.
+// Where the rows of a run go to.
+struct Books {
+  Journal& journal;
+  std::optional<Journal> retries = {};    // of the positions of to_retry
+  std::set<std::uint64_t> to_retry = {};  // that are still to be run again
+};
+
+// One run of a shard: hands out chunks and puts the answers into the books.
 class Run {
  public:
   Run(const Sweep& sweep, const Shard& shard, const RunOptions& options, WorkerPool& pool,
-      Journal& journal, Dealer& dealer, RunOutcome& outcome)
+      Books& books, Dealer& dealer, RunOutcome& outcome)
       : sweep_(sweep),
         shard_(shard),
         options_(options),
         pool_(pool),
-        journal_(journal),
+        books_(books),
         dealer_(dealer),
         outcome_(outcome) {}
 
@@ -122,7 +135,8 @@ class Run {
     const auto deadline = std::chrono::steady_clock::now() + kFarewell;
     while (pool_.busy() > 0 && !full_ && std::chrono::steady_clock::now() < deadline)
       collect(milliseconds(20));
-    refuse(journal_.sync());
+    refuse(books_.journal.sync());
+    if (books_.retries) refuse(books_.retries->sync());
   }
 
  private:
@@ -147,9 +161,11 @@ class Run {
       dealer_.finish(answer);
       record(answer.lines, answer.chunk.first);
     }
-    refuse(journal_.sync_if_due());
+    refuse(books_.journal.sync_if_due());
+    if (books_.retries) refuse(books_.retries->sync_if_due());
     if (options_.progress)
-      options_.progress(outcome_.finished - outcome_.before, outcome_.trials - outcome_.before);
+      options_.progress(outcome_.finished - outcome_.before + outcome_.retried,
+                        outcome_.trials - outcome_.before + outcome_.to_retry);
   }
 
   // Which trial of a chunk is to blame, is seen when each is run alone.
@@ -169,7 +185,11 @@ class Run {
   // Lines of successive positions.
   void record(std::string_view lines, std::uint64_t position) {
     if (full_ || lines.empty()) return;
-    refuse(journal_.append(lines));
+    if (books_.to_retry.erase(position) > 0) {
+      record_again(lines);
+      return;
+    }
+    refuse(books_.journal.append(lines));
     while (!full_ && !lines.empty()) {
       const std::string_view line = lines.substr(0, lines.find('\n') + 1);
       lines.remove_prefix(line.size());
@@ -177,6 +197,14 @@ class Run {
       ++outcome_.finished;
       outcome_.without_result += has_no_result(line) ? 1 : 0;
     }
+  }
+
+  // The line of a trial that had no result.
+  void record_again(std::string_view line) {
+    refuse(books_.retries->append(line));
+    if (full_) return;
+    ++outcome_.retried;
+    outcome_.without_result -= has_no_result(line) ? 0 : 1;
   }
 
   void refuse(const std::optional<std::string>& failure) {
@@ -189,7 +217,7 @@ class Run {
   const Shard& shard_;
   const RunOptions& options_;
   WorkerPool& pool_;
-  Journal& journal_;
+  Books& books_;
   Dealer& dealer_;
   RunOutcome& outcome_;
   std::map<std::uint64_t, int> deaths_;  // by position
@@ -231,22 +259,28 @@ RunOutcome run_shard(const Sweep& sweep, const Shard& shard, const std::filesyst
 
   const std::string header = to_header(sweep, shard);
   MadeDirectory made(directory);
-  Journal journal(directory);
-  Past past = read_past(directory, header);
+  Journal journal(journal_path(directory));
+  Past past = read_past(directory, header, options.retry);
   journal.resume(header, past.end);
   made.keep();
+  Books books{.journal = journal, .to_retry = std::move(past.to_retry)};
+  if (!books.to_retry.empty()) {
+    books.retries.emplace(retries_path(directory));
+    books.retries->resume(header, past.retries_end);
+  }
 
   RunOutcome outcome;
   outcome.trials = num_trials(sweep, shard);
   outcome.before = outcome.finished = past.finished;
   outcome.without_result = past.without_result;
-  Dealer dealer(std::move(past.done), outcome.trials);
+  outcome.to_retry = books.to_retry.size();
+  Dealer dealer(std::move(past.done), outcome.trials, books.to_retry);
   if (!outcome.complete()) {
     WorkerPool pool(
         options.jobs,
         [&](std::uint64_t position) { return finished_trial(sweep, shard, options, position); },
         options.trial_timeout > 0.0 ? options.trial_timeout : default_time_limit(sweep));
-    Run(sweep, shard, options, pool, journal, dealer, outcome).to_the_end();
+    Run(sweep, shard, options, pool, books, dealer, outcome).to_the_end();
   }
   list_missing(sweep, shard, dealer.done(), outcome);
   return outcome;

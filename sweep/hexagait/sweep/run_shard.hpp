@@ -14,6 +14,7 @@ struct RunOptions {
   const std::atomic<bool>* stop = nullptr;  ///< once true, it ends early
   /// How long a trial may take [s]; 0: default_time_limit().
   double trial_timeout = 0.0;
+  bool retry = false;  ///< trials without a result are run again, before those that are missing
   /// Told now and then how many trials of this run are finished.
   std::function<void(std::uint64_t finished, std::uint64_t whole)> progress = {};
   /// How a trial is run: a test may give another.
@@ -35,11 +36,13 @@ struct RunOutcome {
   std::uint64_t before = 0;           ///< of these, finished by earlier runs
   std::uint64_t finished = 0;         ///< of these, finished by now, earlier ones included
   std::uint64_t without_result = 0;   ///< of the finished, those that failed or timed out
+  std::uint64_t to_retry = 0;         ///< those without a result that were to be run again
+  std::uint64_t retried = 0;          ///< of these, those that were, whatever came out
   std::vector<TrialRange> missing;    ///< the first of them
   std::uint64_t further_missing = 0;  ///< number of ranges that missing has no room for
   std::vector<std::string> failures;  ///< why they are missing, each once
 
-  [[nodiscard]] bool complete() const { return finished == trials; }
+  [[nodiscard]] bool complete() const { return finished == trials && retried == to_retry; }
 };
 
 /// Runs the trials of a shard that the journal of the directory does not have yet, and adds them to
@@ -47,7 +50,7 @@ struct RunOutcome {
 ///
 /// A trial that throws, takes too long, or takes two processes with it makes a row without a result,
 /// and holds up nothing. (A process that dies once may have been killed by anyone: its trials are run
-/// again, each alone.)
+/// again, each alone.) What RunOptions::retry runs again takes the place of its row; no other changes.
 /// @throws InvalidInput  if the directory can't be written, or belongs to another sweep
 [[nodiscard]] RunOutcome run_shard(const Sweep& sweep, const Shard& shard,
                                    const std::filesystem::path& directory,

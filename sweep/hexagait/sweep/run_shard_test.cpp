@@ -137,6 +137,15 @@ TEST_F(Running, IsNotHeldUpByATrialThatKillsItsProcess) {
   const RunOutcome again = run_shard(sweep, {}, at("jobs1"), {});
   EXPECT_EQ(again.before, again.trials);
   EXPECT_EQ(again.without_result, 1U);
+
+  // The poison is gone: its row takes its place, far before the end of the journal.
+  const auto healthy = poisoned(num_trials(sweep), [] {});
+  const RunOutcome healed = run_shard(sweep, {}, at("jobs1"), {.retry = true, .row = healthy});
+  EXPECT_EQ(healed.without_result, 0U);
+  publish(at("jobs1"));
+  const std::vector<std::string> rows = lines(at("jobs1") / "trials.csv");
+  ASSERT_EQ(rows.size(), 90'001U);
+  EXPECT_THAT(rows[101], HasSubstr(",walked,quick,"));
 }
 
 TEST_F(Running, GivesUpATrialThatTakesTooLong) {
@@ -151,6 +160,80 @@ TEST_F(Running, GivesUpATrialThatTakesTooLong) {
   publish(at("a"));
   EXPECT_THAT(lines(at("a") / "trials.csv")[8], HasSubstr(",timed_out,it took longer"));
   EXPECT_TRUE(children().empty());
+}
+
+// A trial whose process was killed for reasons of its own.
+std::string killed_seven(const Sweep& sweep, std::uint64_t k) {
+  if (k == 7) kill(getpid(), SIGKILL);
+  return row(sweep, k);
+}
+
+// The row comes out as if nothing had happened; no other line is touched.
+TEST_F(Running, RunsATrialWithoutAResultAgain) {
+  const Sweep sweep = slices(20);
+  EXPECT_EQ(run_shard(sweep, {}, at("a"), {.jobs = 2, .row = killed_seven}).without_result, 1U);
+  publish(at("a"));
+  const std::string whole = run(sweep, "b");
+  EXPECT_NE(content(at("a") / "trials.csv"), whole);
+  const std::string journal = content(journal_path(at("a")));
+  const RunOutcome idle = run_shard(sweep, {}, at("a"), {});
+  EXPECT_EQ(idle.to_retry, 0U) << "only if it is asked for";
+
+  // It may fail again.
+  const RunOutcome failed = run_shard(sweep, {}, at("a"), {.retry = true, .row = killed_seven});
+  EXPECT_EQ(failed.retried, 1U);
+  EXPECT_EQ(failed.without_result, 1U);
+  EXPECT_TRUE(failed.complete());
+
+  const RunOutcome again = run_shard(sweep, {}, at("a"), {.retry = true});
+  EXPECT_EQ(again.to_retry, 1U);
+  EXPECT_EQ(again.retried, 1U);
+  EXPECT_EQ(again.without_result, 0U);
+  EXPECT_EQ(publish(at("a")).without_result, 0U);
+  EXPECT_EQ(content(at("a") / "trials.csv"), whole);
+  EXPECT_EQ(content(journal_path(at("a"))), journal);
+  merge({at("a")}, at("c"));
+  EXPECT_EQ(content(at("c") / "trials.csv"), whole);
+
+  EXPECT_EQ(run_shard(sweep, {}, at("a"), {.retry = true}).to_retry, 0U) << "nothing is left";
+}
+
+// Ctrl-C: those that were run again are kept, and the same call goes on with the others. A sweep that
+// was not finished is, after them.
+TEST_F(Running, GoesOnWithTheTrialsToRunAgain) {
+  const Sweep sweep = slices(20);
+  const auto odd_fail = [](const Sweep& s, std::uint64_t k) {
+    return k % 2 == 1 ? row_without_result(s, k, Outcome::failed, "odd") : row(s, k);
+  };
+  std::atomic<bool> stop = false;
+  RunOptions options{.stop = &stop, .row = odd_fail};
+  options.progress = [&](std::uint64_t finished, std::uint64_t) { stop = finished > 20; };
+  const RunOutcome first = run_shard(sweep, {}, at("a"), options);
+  ASSERT_FALSE(first.complete());
+
+  stop = false;
+  RunOptions retry{.stop = &stop, .retry = true};
+  retry.progress = [&](std::uint64_t finished, std::uint64_t) { stop = finished >= 2; };
+  const RunOutcome second = run_shard(sweep, {}, at("a"), retry);
+  EXPECT_EQ(second.to_retry, first.without_result);
+  EXPECT_GE(second.retried, 2U);
+  EXPECT_LT(second.retried, second.to_retry);
+  EXPECT_FALSE(second.complete());
+
+  const RunOutcome third = run_shard(sweep, {}, at("a"), {.retry = true});
+  EXPECT_EQ(third.to_retry, second.to_retry - second.retried);
+  EXPECT_TRUE(third.complete());
+  publish(at("a"));
+  EXPECT_EQ(content(at("a") / "trials.csv"), run(sweep, "b"));
+  EXPECT_TRUE(each_once("a"));
+}
+
+TEST_F(Running, RefusesRetriesOfAnotherSweep) {
+  const Sweep sweep = slices(3);
+  run(sweep, "a");
+  std::ofstream(retries_path(at("a"))) << journal_header("{}");
+  EXPECT_THAT(refusal([&] { publish(at("a")); }),
+              HasSubstr("retries.txt:1: is of another sweep than the journal"));
 }
 
 // What a trial throws is the reason of its row, made fit for a cell; its neighbours have results.
@@ -213,8 +296,9 @@ TEST_F(Running, RefusesTheDirectoryOfAnotherSweep) {
 }
 
 TEST_F(Running, RefusesADirectoryThatAnotherProcessWrites) {
-  const Journal other(at(""));
-  EXPECT_THAT(refusal([&] { const Journal journal(at("")); }), HasSubstr("another process"));
+  const Journal other(journal_path(at("")));
+  EXPECT_THAT(refusal([&] { const Journal journal(journal_path(at(""))); }),
+              HasSubstr("another process"));
 }
 
 TEST(LockFailure, TellsAHeldFileFromAFileSystemWithoutLocks) {
@@ -232,7 +316,7 @@ TEST_F(Running, ReadsTheJournalWhenItHoldsIt) {
   const std::string journal = content(journal_path(at("a")));
   const std::size_t half = journal.find('\n', journal.size() / 2) + 1;
   std::filesystem::resize_file(journal_path(at("a")), half);
-  std::optional<Journal> other(std::in_place, at("a"));
+  std::optional<Journal> other(std::in_place, journal_path(at("a")));
   std::thread later([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
     std::ofstream(journal_path(at("a")), std::ios::app) << journal.substr(half);
@@ -246,7 +330,7 @@ TEST_F(Running, ReadsTheJournalWhenItHoldsIt) {
 
 // A disk that takes bytes and loses them.
 TEST_F(Running, TellsThatAJournalDidNotReachTheDisk) {
-  Journal journal(at(""), [](int) {
+  Journal journal(journal_path(at("")), [](int) {
     errno = EIO;
     return -1;
   });

@@ -12,7 +12,7 @@
 #include <hexagait/sim/fnv1a.hpp>
 #include <hexagait/sweep/detail/journal.hpp>
 #include <hexagait/sweep/detail/made_directory.hpp>
-#include <hexagait/text/invalid_input.hpp>
+#include <hexagait/sweep/sweep.hpp>
 #include <thread>
 
 namespace hexagait::sweep {
@@ -55,10 +55,20 @@ int write_all(int file, std::string_view bytes) {
   return 0;
 }
 
+bool has_first_line(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string line;
+  return std::getline(file, line) && !file.eof();
+}
+
 }  // namespace
 
 std::filesystem::path journal_path(const std::filesystem::path& directory) {
   return directory / "journal.txt";
+}
+
+std::filesystem::path retries_path(const std::filesystem::path& directory) {
+  return directory / "retries.txt";
 }
 
 std::string journal_line(std::uint64_t position, std::string_view wall, std::string_view row) {
@@ -68,23 +78,20 @@ std::string journal_line(std::uint64_t position, std::string_view wall, std::str
 std::string journal_header(std::string_view header) { return checked(header); }
 
 bool has_journal(const std::filesystem::path& directory) {
-  std::ifstream file(journal_path(directory), std::ios::binary);
-  std::string line;
-  return std::getline(file, line) && !file.eof();
+  return has_first_line(journal_path(directory));
 }
 
-JournalReader::JournalReader(const std::filesystem::path& directory)
-    : path_(journal_path(directory)) {
+LineReader::LineReader(std::filesystem::path file) : path_(std::move(file)) {
   if (!std::ifstream(path_))
     throw InvalidInput(fmt::format("{}: can't be read; '{}' is not the directory of a sweep",
-                                   path_.string(), directory.string()));
+                                   path_.string(), path_.parent_path().string()));
   if (!read_line(header_))
     throw InvalidInput(
         fmt::format("{}: has no first line; remove it to begin again", path_.string()));
 }
 
 // Adds what follows in the file to the block.
-bool JournalReader::read_block() {
+bool LineReader::read_block() {
   block_.erase(0, used_);
   used_ = 0;
   std::ifstream file(path_, std::ios::binary);
@@ -96,7 +103,7 @@ bool JournalReader::read_block() {
   return block_.size() > before;
 }
 
-bool JournalReader::read_line(std::string& result) {
+bool LineReader::read_line(std::string& result) {
   std::size_t end = 0;
   while ((end = block_.find('\n', used_)) == std::string::npos)
     if (!read_block()) return false;
@@ -104,44 +111,70 @@ bool JournalReader::read_line(std::string& result) {
   const std::string_view line = std::string_view(block_).substr(used_, end - used_);
   const std::optional<std::string_view> rest = content(line);
   if (!rest)
-    throw InvalidInput(fmt::format(
-        "{}:{}: damaged, its checksum does not fit; remove this line and those after it, and run "
-        "the sweep again to replace them",
-        path_.string(), line_));
+    throw problem(
+        "damaged, its checksum does not fit; remove this line and those after it, and run the "
+        "sweep "
+        "again to replace them");
   result = *rest;
   end_ += line.size() + 1;
   used_ = end + 1;
   return true;
 }
 
-bool JournalReader::read_entry() {
+InvalidInput LineReader::problem(const std::string& what) const {
+  return InvalidInput(fmt::format("{}:{}: {}", path_.string(), line_, what));
+}
+
+std::optional<Entry> LineReader::next() {
   std::string line;
-  if (!read_line(line)) return false;
+  if (!read_line(line)) return {};
 
   // position, wall time, row; a row begins with the number of its trial.
   Entry entry;
   const std::size_t wall = line.find(' ') + 1, row = line.find(' ', wall) + 1;
   const bool whole = wall > 0 && row > wall && number(line, entry.position) &&
                      number(std::string_view(line).substr(row), entry.trial);
-  if (!whole)
-    throw InvalidInput(fmt::format("{}:{}: is not the row of a trial", path_.string(), line_));
+  if (!whole) throw problem("is not the row of a trial");
   entry.wall = line.substr(wall, row - wall - 1);
   entry.row = line.substr(row);
+  return entry;
+}
 
-  const std::uint64_t position = entry.position, trial = entry.trial;
-  if (position < next_ || !ahead_.emplace(position, std::move(entry)).second)
-    throw InvalidInput(fmt::format("{}:{}: trial {} is there twice", path_.string(), line_, trial));
+Retries read_retries(const std::filesystem::path& directory, const std::string& header) {
+  Retries retries;
+  const std::filesystem::path file = retries_path(directory);
+  if (!has_first_line(file)) return retries;
+  LineReader lines(file);
+  if (lines.header() != header)
+    throw lines.problem("is of another sweep than the journal beside it; remove this file");
+  while (std::optional<Entry> entry = lines.next())
+    retries.rows.insert_or_assign(entry->position, std::move(*entry));
+  retries.end = lines.end();
+  return retries;
+}
+
+JournalReader::JournalReader(const std::filesystem::path& directory)
+    : lines_(journal_path(directory)), retries_(read_retries(directory, lines_.header())) {}
+
+bool JournalReader::read_ahead() {
+  std::optional<Entry> entry = lines_.next();
+  if (!entry) return false;
+  const std::uint64_t position = entry->position, trial = entry->trial;
+  if (position < next_ || !ahead_.emplace(position, std::move(*entry)).second)
+    throw lines_.problem(fmt::format("trial {} is there twice", trial));
   return true;
 }
 
 std::optional<Entry> JournalReader::next() {
   // With kWindow lines read ahead, a position that is missing is in no later line (see kWindow).
   const auto found = [&] { return !ahead_.empty() && ahead_.begin()->first == next_; };
-  while (!found() && ahead_.size() < kWindow && read_entry()) {
+  while (!found() && ahead_.size() < kWindow && read_ahead()) {
   }
   if (ahead_.empty()) return {};
   Entry entry = std::move(ahead_.extract(ahead_.begin()).mapped());
   next_ = entry.position + 1;
+  const auto again = retries_.rows.find(entry.position);
+  if (again != retries_.rows.end() && has_no_result(entry.row)) return again->second;
   return entry;
 }
 
@@ -162,10 +195,9 @@ std::string lock_failure(int error) {
   }
 }
 
-Journal::Journal(const std::filesystem::path& directory) : Journal(directory, fdatasync) {}
+Journal::Journal(const std::filesystem::path& file) : Journal(file, fdatasync) {}
 
-Journal::Journal(const std::filesystem::path& directory, Sync sync)
-    : path_(journal_path(directory)), sync_(sync) {
+Journal::Journal(const std::filesystem::path& file, Sync sync) : path_(file), sync_(sync) {
   file_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
   if (file_ < 0)
     throw InvalidInput(

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <hexagait/text/invalid_input.hpp>
 #include <map>
 #include <optional>
 #include <string>
@@ -33,33 +34,72 @@ inline constexpr std::uint64_t kWindow = 1U << 16;
 /// The first line of a journal: the checksum, and what is swept, as JSON.
 [[nodiscard]] std::string journal_header(std::string_view header);
 
-/// Reads a journal, in which trials stand as they finished, in the order of their positions. Its
-/// file is open only while a block of it is read, so there may be more readers than descriptors.
-class JournalReader {
+/// Reads the lines of a file in the order in which they were written. It is open only while a block of
+/// it is read, so there may be more readers than descriptors.
+class LineReader {
  public:
   /// @throws InvalidInput  if there is none, or its first line is damaged
-  explicit JournalReader(const std::filesystem::path& directory);
+  explicit LineReader(std::filesystem::path file);
 
   /// The first line: what is swept, as JSON.
   [[nodiscard]] const std::string& header() const { return header_; }
 
-  /// The next finished trial. @throws InvalidInput  for a damaged line, or a trial that is there
-  /// twice. A last line without an end is one that was never finished, and passed over.
+  /// The next line. @throws InvalidInput  for a damaged one. A last line without an end is one that was
+  /// never finished, and passed over.
   [[nodiscard]] std::optional<Entry> next();
 
   /// Where the lines read so far end [byte].
   [[nodiscard]] std::uint64_t end() const { return end_; }
 
+  /// What is wrong with the line that was read last.
+  [[nodiscard]] InvalidInput problem(const std::string& what) const;
+
  private:
   [[nodiscard]] bool read_block();
   [[nodiscard]] bool read_line(std::string& content);
-  [[nodiscard]] bool read_entry();
 
   std::filesystem::path path_;
   std::string block_;  // bytes of the file from end_ on
   std::string header_;
   std::uint64_t line_ = 0, end_ = 0;
-  std::size_t used_ = 0;                  // of block_, before end_
+  std::size_t used_ = 0;  // of block_, before end_
+};
+
+/// Trials that had no result and were run again: lines as in the journal, whose rows take their places.
+/// The journal itself is only ever added to, in an order on which its readers rely.
+struct Retries {
+  std::map<std::uint64_t, Entry> rows;  ///< the last of each position
+  std::uint64_t end = 0;                ///< of its good lines [byte]; 0: there are none
+};
+
+/// @param header  of the journal beside it
+/// @throws InvalidInput  for a damaged line, or those of another sweep
+[[nodiscard]] Retries read_retries(const std::filesystem::path& directory,
+                                   const std::string& header);
+
+/// Reads a journal, in which trials stand as they finished, in the order of their positions.
+class JournalReader {
+ public:
+  /// @throws InvalidInput  if there is none, or a first line is damaged
+  explicit JournalReader(const std::filesystem::path& directory);
+
+  /// The first line: what is swept, as JSON.
+  [[nodiscard]] const std::string& header() const { return lines_.header(); }
+
+  /// The next finished trial; one without a result as it came out when it was run again.
+  /// @throws InvalidInput  for a damaged line, or a trial that is there twice
+  [[nodiscard]] std::optional<Entry> next();
+
+  /// Where the lines read so far end [byte].
+  [[nodiscard]] std::uint64_t end() const { return lines_.end(); }
+  /// Where those of the retries end [byte].
+  [[nodiscard]] std::uint64_t retries_end() const { return retries_.end; }
+
+ private:
+  [[nodiscard]] bool read_ahead();
+
+  LineReader lines_;
+  Retries retries_;
   std::map<std::uint64_t, Entry> ahead_;  // read, and not yet asked for, by position
   std::uint64_t next_ = 0;                // all positions before it were asked for
 };
@@ -70,10 +110,10 @@ class Journal {
   /// Waits until a file's bytes are on the disk; as fdatasync().
   using Sync = int (*)(int file);
 
-  /// Opens or makes the journal of a directory, and holds it: read it only from now on.
+  /// Opens or makes the file, and holds it: read it only from now on.
   /// @throws InvalidInput  if it can't be written, or held
-  explicit Journal(const std::filesystem::path& directory);
-  Journal(const std::filesystem::path& directory, Sync sync);
+  explicit Journal(const std::filesystem::path& file);
+  Journal(const std::filesystem::path& file, Sync sync);
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
@@ -107,8 +147,9 @@ class Journal {
 /// Whether a directory has a journal, with at least its first line.
 [[nodiscard]] bool has_journal(const std::filesystem::path& directory);
 
-/// "journal.txt" of a directory.
+/// "journal.txt" of a directory, and "retries.txt".
 [[nodiscard]] std::filesystem::path journal_path(const std::filesystem::path& directory);
+[[nodiscard]] std::filesystem::path retries_path(const std::filesystem::path& directory);
 
 /// Which positions of a sequence are done, where none is done that lies kWindow or more beyond the
 /// first that is not.
