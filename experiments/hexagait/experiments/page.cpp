@@ -6,6 +6,7 @@
 #include <cctype>
 #include <hexagait/experiments/page.hpp>
 #include <hexagait/experiments/page.html.hpp>
+#include <hexagait/figures/base64.hpp>
 #include <hexagait/recording/version.hpp>
 #include <iterator>
 
@@ -24,20 +25,6 @@ std::string escaped(const std::string& text) {
     html += entity == std::end(kEntities) ? std::string_view(&letter, 1) : entity->second;
   }
   return html;
-}
-
-std::string base64(const std::string& bytes) {
-  constexpr const char* kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t k = 0; k < bytes.size(); k += 3) {
-    std::uint32_t word = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-      word = word << 8 | (k + i < bytes.size() ? static_cast<unsigned char>(bytes[k + i]) : 0U);
-    for (std::size_t i = 0; i < 4; ++i)
-      text += k + i <= bytes.size() ? kDigits[word >> (18 - 6 * i) & 63U] : '=';
-  }
-  return text;
 }
 
 std::string content(const fs::path& file) {
@@ -78,7 +65,7 @@ std::string figures_html(const Manifest& manifest, const fs::path& directory) {
     if (output.name.ends_with(".svg"))
       html +=
           fmt::format("<figure><img alt=\"{}\" src=\"data:image/svg+xml;base64,{}\"></figure>\n",
-                      escaped(manifest.title), base64(content(directory / output.name)));
+                      escaped(manifest.title), figures::base64(content(directory / output.name)));
   return html;
 }
 

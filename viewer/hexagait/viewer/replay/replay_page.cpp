@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <cstdint>
+#include <hexagait/figures/base64.hpp>
 #include <hexagait/viewer/replay/replay_page.hpp>
 #include <hexagait/viewer/server/page_files.hpp>
 
@@ -11,26 +11,10 @@ namespace {
 
 void put(std::string& page, const std::string& place, std::string_view bytes) {
   const std::size_t at = page.find(place);
-  if (at != std::string::npos) page.replace(at, place.size(), base64(bytes));
+  if (at != std::string::npos) page.replace(at, place.size(), figures::base64(bytes));
 }
 
 }  // namespace
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t at = 0; at < bytes.size(); at += 3) {
-    const std::string_view part = bytes.substr(at, 3);
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      bits = bits << 8U | (k < part.size() ? static_cast<unsigned char>(part[k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += k <= part.size() ? kDigits[bits >> (18 - 6 * k) & 63U] : '=';
-  }
-  return text;
-}
 
 std::string replay_page(std::string_view replay) {
   std::string page(page_alone());

@@ -13,7 +13,4 @@ namespace hexagait::viewer {
 /// @pre there is a page: page_files() is not empty
 [[nodiscard]] std::string replay_page(std::string_view replay);
 
-/// RFC 4648, with its padding.
-[[nodiscard]] std::string base64(std::string_view bytes);
-
 }  // namespace hexagait::viewer

@@ -13,18 +13,6 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-// RFC 4648, 10.
-TEST(Base64, HasTheVectorsOfItsStandard) {
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("foob"), "Zm9vYg==");
-  EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(base64("\xFB\xFF"), "+/8=");
-}
-
 TEST(ReplayPage, HasTheReplayInItAndAsksNobody) {
   if (page_files().empty()) GTEST_SKIP() << kNoPage;
   const std::string page = replay_page("foobar");
