@@ -35,6 +35,15 @@ template <class Range, class Value>
   return statistics::greatest(each(range, value));
 }
 
+/// What came of each walk.
+template <class Range>
+[[nodiscard]] std::vector<walk::Summary> summaries(const Range& walks) {
+  std::vector<walk::Summary> all;
+  all.reserve(std::size(walks));
+  for (const auto& walk : walks) all.push_back(walk.summary);
+  return all;
+}
+
 /// What no walk may do, whatever else it shows: none of them falls, and no controller stops by
 /// itself with a fault.
 /// @param summaries  of walks or of actions

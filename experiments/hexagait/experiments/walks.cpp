@@ -132,12 +132,6 @@ std::vector<Walk> over_terrain(const std::string& terrain, std::uint64_t count, 
   });
 }
 
-std::vector<walk::Summary> summaries(std::span<const Walk> walks) {
-  std::vector<walk::Summary> all;
-  for (const Walk& walk : walks) all.push_back(walk.summary);
-  return all;
-}
-
 Check none_stuck(std::span<const Walk> walks) {
   return {{"walks that got stuck", share_of(walks, [](const Walk& w) { return w.summary.stuck; })},
           exactly(0.0)};

@@ -36,7 +36,6 @@ struct JudgedWalk {
 /// A row for each walk.
 [[nodiscard]] figures::Csv table(std::span<const std::vector<JudgedWalk>> groups);
 
-[[nodiscard]] std::vector<walk::Summary> summaries(std::span<const JudgedWalk> walks);
 [[nodiscard]] Check none_stuck(std::span<const JudgedWalk> walks);
 
 /// Horizontal distance of the farthest workspace centre from the base [m].

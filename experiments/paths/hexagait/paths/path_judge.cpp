@@ -17,13 +17,6 @@ std::vector<PathWalk> those(const std::vector<PathWalk>& walks, const auto& pred
   return some;
 }
 
-std::vector<walk::Summary> summaries(const std::vector<PathWalk>& walks) {
-  std::vector<walk::Summary> all;
-  all.reserve(walks.size());
-  for (const PathWalk& walk : walks) all.push_back(walk.summary);
-  return all;
-}
-
 bool is_flat(const PathWalk& walk) { return walk.terrain == "flat"; }
 bool arrived(const PathWalk& walk) { return walk.summary.arrived && walk.summary.ok(); }
 bool is_square(const PathWalk& walk) { return walk.shape == "square"; }

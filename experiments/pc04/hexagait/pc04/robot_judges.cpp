@@ -31,13 +31,6 @@ double percent_off(const DisplacementWalk& walk, const DisplacementWalk& other) 
   return 100.0 * std::abs(way(walk.summary) / way(other.summary) - 1.0);
 }
 
-std::vector<walk::Summary> summaries(const std::vector<DisplacementWalk>& walks) {
-  std::vector<walk::Summary> all;
-  all.reserve(walks.size());
-  for (const DisplacementWalk& walk : walks) all.push_back(walk.summary);
-  return all;
-}
-
 }  // namespace
 
 std::vector<Verdict> judge_fig11(const RandomHeadings& walk) {

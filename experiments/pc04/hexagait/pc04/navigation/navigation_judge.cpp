@@ -11,13 +11,6 @@ namespace {
 
 using navigation::Reason;
 
-std::vector<walk::Summary> summaries(const std::vector<NavigationWalk>& walks) {
-  std::vector<walk::Summary> all;
-  all.reserve(walks.size());
-  for (const NavigationWalk& walk : walks) all.push_back(walk.summary);
-  return all;
-}
-
 template <class Number>
 double fewest(const std::vector<NavigationWalk>& walks, Number number) {
   return statistics::least(each(walks, number));
