@@ -12,6 +12,7 @@ inline void round_steps(RobotParams& p) {
   p.step.stroke = 0.20;
   p.step.height = 0.10;
   p.step.level_height = 0.5;
+  p.step.haste = 1.4;
   p.step.max_height = 0.22;
   p.step.stability_margin = 0.03;
   p.step.lift_margin = 0.06;
@@ -23,6 +24,7 @@ inline void round_steps(RobotParams& p) {
   p.swing.max_rise = std::numeric_limits<double>::infinity();
   p.swing.transfer_time = 0.38;
   p.swing.max_speed = 2.0;
+  p.swing.hasty_speed = 2.75;
   p.swing.overlap_time = 0.10;
   p.swing.descent_speed = 0.30;
   p.swing.touchdown_speed = 0.08;

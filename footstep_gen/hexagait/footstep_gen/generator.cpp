@@ -234,6 +234,7 @@ FootstepCommand footstep(const RobotModel& model, const Stance& stance, const Pa
   step.p_OT.z() = start_z;
   step.profile_height =
       std::min(params.max_height, params.height + params.roughness_gain * (highest_z - start_z));
+  step.haste = params.haste;
   return step;
 }
 

@@ -20,9 +20,31 @@ namespace hexagait::footstep_gen {
   return highest - lowest;
 }
 
-/// The steps for ground as rough as the feet have found it, (step 2): lower on level ground; from a
-/// spread of (1 − level_height) height on, as high as over rough ground.
+inline constexpr double kHastyUpTo = 1.5, kSlowFrom = 2.5;  // of the step height
+
+/// The spread of ground that no foot has stood on yet: the first steps are as high as over rough
+/// ground [m].
+[[nodiscard]] inline double unknown_spread(const StepParams& step) noexcept { return step.height; }
+
+/// The spread by which steps are chosen: the greatest of late, less a step height for each two strokes of
+/// path since, (step 4) [m].
+/// @param before  its value until now [m]
+/// @param spread  of the last footprints now [m]
+/// @param way     of the robot since [m]
+[[nodiscard]] inline double remembered_spread(double before, double spread, double way,
+                                              const StepParams& step) noexcept {
+  constexpr double kStrokes = 2.0;
+  const double fades = step.stroke > 0.0 ? way / (kStrokes * step.stroke) * step.height : before;
+  return std::max(spread, std::min(before, kSlowFrom * step.height) - fades);
+}
+
+/// The steps for ground as rough as the feet have found it. Lower on level ground; from a spread of
+/// (1 − level_height) height on, as high as over rough ground, (step 2). In haste up to a spread of 1.5
+/// heights; from 2.5 heights on without, (step 3).
 [[nodiscard]] inline StepParams on_ground(StepParams step, double spread) noexcept {
+  const double range = (kSlowFrom - kHastyUpTo) * step.height;
+  const double level = std::clamp(kSlowFrom * step.height - spread, 0.0, range);
+  step.haste = range > 0.0 ? 1.0 + (step.haste - 1.0) * level / range : 1.0;
   step.height = std::min(step.height, step.level_height * step.height + spread);
   return step;
 }

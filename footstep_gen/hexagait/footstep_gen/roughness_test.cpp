@@ -7,7 +7,7 @@
 namespace hexagait::footstep_gen {
 namespace {
 
-constexpr StepParams kStep{.height = 0.1, .level_height = 0.4};
+constexpr StepParams kStep{.height = 0.1, .level_height = 0.4, .haste = 1.6};
 
 TEST(HeightSpread, IsFromTheLowestPrintToTheHighest) {
   LegArray<Vector3> print_O(4, Vector3(0.3, -0.2, 5.0));
@@ -28,6 +28,30 @@ TEST(OnGround, IsTheSameEverywhereForWhoSaysSo) {
   StepParams same = kStep;
   same.level_height = 1.0;
   for (const double spread : {0.0, 0.03, 1.0}) EXPECT_EQ(on_ground(same, spread).height, 0.1);
+}
+
+// Half a step height, 5 cm, is forgotten after one stroke of 0.2 m; what is found is known at once.
+TEST(RememberedSpread, IsTheGreatestOfLate) {
+  StepParams step = kStep;
+  step.stroke = 0.2;
+  EXPECT_EQ(remembered_spread(0.0, 0.12, 0.001, step), 0.12);
+  double spread = 0.12;
+  for (int k = 0; k < 100; ++k) spread = remembered_spread(spread, 0.01, 0.002, step);
+  EXPECT_NEAR(spread, 0.07, 1e-12);
+  for (int k = 0; k < 200; ++k) spread = remembered_spread(spread, 0.01, 0.002, step);
+  EXPECT_EQ(spread, 0.01);
+  EXPECT_EQ(remembered_spread(0.12, 0.01, 0.0, step), 0.12) << "who stands forgets nothing";
+  EXPECT_NEAR(remembered_spread(5.0, 0.01, 0.2, step), 0.2, 1e-12) << "a fall is forgotten too";
+}
+
+// Full haste up to a spread of 0.15 m, none from 0.25 m on, half of it between them.
+TEST(OnGround, IsInHasteWherePrintsDifferLittle) {
+  for (const double spread : {0.0, 0.1, 0.149}) EXPECT_EQ(on_ground(kStep, spread).haste, 1.6);
+  EXPECT_NEAR(on_ground(kStep, 0.2).haste, 1.3, 1e-12);
+  for (const double spread : {0.251, 1.0}) EXPECT_EQ(on_ground(kStep, spread).haste, 1.0);
+  StepParams flat_feet = kStep;
+  flat_feet.height = 0.0;
+  EXPECT_EQ(on_ground(flat_feet, 0.0).haste, 1.0) << "no clearance, no haste";
 }
 
 }  // namespace

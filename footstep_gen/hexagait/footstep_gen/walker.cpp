@@ -22,6 +22,7 @@ constexpr double kPatience = 1.5;    // of a step all tries of which fail: then 
 constexpr double kMostToCome = 0.5;  // of half a step
 constexpr double kMostLean = 0.5;    // of the smallest workspace radius
 constexpr double kLeanRate = 3.0;    // of the rate at which the body tilts
+constexpr double kHastyLag = 0.1;  // of the time of a lift: drives that are prompt enough for haste
 
 void check_stepping(Violations& violations, const gait_state::StepperParams& stepper) {
   require(violations, "duty_factor", stepper.duty_factor,
@@ -44,6 +45,8 @@ WalkerParams checked(const WalkerParams& params) {
       {"tie_tolerance [m]", params.gait.tie_tolerance},
   };
   require_not_negative(violations, not_negative);
+  require(violations, "haste", step.haste, step.haste >= 1.0 && std::isfinite(step.haste),
+          "at least 1");
   require(violations, "level_height", step.level_height,
           step.level_height > 0.0 && step.level_height <= 1.0, "greater than 0 and at most 1");
   violations.throw_if_any();
@@ -175,6 +178,7 @@ void Walker::start(const Measurement& measurement) {
   record_.heading = heading_control::Heading::stop();
   record_.arc = arc_of(record_.heading);
   record_.rear_edge = rear_edge(record_.arc, gait_state::hindmost_edge(model_->num_legs()));
+  spread_ = unknown_spread(params_.step);
 }
 
 bool Walker::healthy(PlantStatus status, const Measurement& measurement) noexcept {
@@ -363,12 +367,18 @@ LiftGateDecision Walker::gate() noexcept {
   return decision;
 }
 
+// (step 4)
+void Walker::feel_roughness() noexcept {
+  const PlanarTwist& V = record_.base.planar;
+  const double speed = V.v.norm() + params_.executor.base.outer_radius * std::abs(V.w);
+  spread_ = remembered_spread(spread_, height_spread(record_.state.print_O),
+                              speed * params_.control_dt, params_.step);
+}
+
 void Walker::command() noexcept {
   const double half_step = walks() ? 0.5 * params_.step.stroke : 0.0;
-  StepParams step = params_.step;
-  // The period of a wave is that of its longest step: shorter ones would only wait.
-  if (params_.stepper.stepping != gait_state::Stepping::wave)
-    step = on_ground(step, height_spread(record_.state.print_O));
+  feel_roughness();
+  StepParams step = steps_here();
   record_.path_to_come = path_to_come(record_.arc, executor_, half_step, path_pose());
   // With a leg lost the base waits for balance more often, and feet would land too far ahead of it.
   if (!lost_legs().empty())
@@ -399,6 +409,19 @@ void Walker::command() noexcept {
   if (gives_way) record_.base_auto.correction.v += way_for_waiting();
   record_.base_auto.max_speed = speed_limit_;
   executor_.command(record_.base_auto);
+}
+
+// The steps for the ground that the feet have found.
+StepParams Walker::steps_here() const noexcept {
+  StepParams step = params_.step;
+  // The period of a wave is that of its longest step: shorter ones would only wait.
+  const bool wave = params_.stepper.stepping == gait_state::Stepping::wave;
+  if (!wave) step = on_ground(step, spread_);
+  if (wave || crawls() || model_->legs[0].has_two_joints()) step.haste = 1.0;
+  // A foot whose drives lag by more of its swing runs into the ground, or seems blocked.
+  const double lag = executor_.drive_lag() / (kHastyLag * params_.executor.swing.lift_time);
+  step.haste = 1.0 + (step.haste - 1.0) * std::clamp(2.0 - lag, 0.0, 1.0);
+  return step;
 }
 
 // Displacement of the body after which the waiting leg that lags most may lift: with a leg lost, one may

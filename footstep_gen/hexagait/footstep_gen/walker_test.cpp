@@ -9,6 +9,7 @@
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <limits>
+#include <set>
 #include <testing/kinematic_plant.hpp>
 #include <vector>
 
@@ -399,13 +400,13 @@ TEST(WalkerSensors, AreNotNeededToWalk) {
   }
 }
 
-// (step 2) Level up to x = 1 m, then in cells of 0.3 m that are 0 or 8 cm high: more than the half of 10 cm
+// (step 2, 4) Level up to x = 2 m, then in cells of 0.3 m that are 0 or 8 cm high: more than the half of 10 cm
 // that the steps before have saved.
 TEST(Walker, TakesLowerStepsOnLevelGround) {
   Walk walk(argos(), 0.0);
   walk.plant.ground = [](const Vector2& p_O) {
     const long cell = std::lround(p_O.x() / 0.3) + std::lround(p_O.y() / 0.3);
-    return p_O.x() < 1.0 || cell % 2 == 0 ? 0.0 : 0.08;
+    return p_O.x() < 2.0 || cell % 2 == 0 ? 0.0 : 0.08;
   };
   const StepParams& step = walk.walker.params().step;
   const auto footsteps = [&walk](double from, double to) {
@@ -418,14 +419,36 @@ TEST(Walker, TakesLowerStepsOnLevelGround) {
     }
     return steps;
   };
-  const std::vector<FootstepCommand> level = footsteps(0.0, 0.25);
+  for (const FootstepCommand& taken : footsteps(-1.0, 0.05))
+    EXPECT_NEAR(taken.profile_height, step.height, 0.1 * step.height) << "of unknown ground";
+  const std::vector<FootstepCommand> level = footsteps(1.0, 1.4);
   ASSERT_GT(level.size(), 3U);
   for (const FootstepCommand& taken : level)
     EXPECT_NEAR(taken.profile_height, step.level_height * step.height, 1e-3);
-  const std::vector<FootstepCommand> rough = footsteps(1.8, 2.6);
+  const std::vector<FootstepCommand> rough = footsteps(2.8, 3.6);
   ASSERT_GT(rough.size(), 8U);
   for (const FootstepCommand& taken : rough)
     EXPECT_GE(taken.profile_height, step.height) << "of leg " << taken.leg;
+}
+
+// (step 3) Once it knows that the drives do not lag. A wave's body follows its swings: it does without.
+TEST(Walker, SwingsInHasteOnLevelGround) {
+  const auto hastes = [](const WalkerParams& params) {
+    Walk walk(argos(), 0.0, 0, params);
+    std::set<double> found;
+    for (int k = 0; k < 2000; ++k) {
+      const TickRecord& record = walk.tick(Heading::straight(0.0));
+      for (LegId i = 0; i < 6; ++i)
+        if (k > 1000 && record.lifts.contains(i)) found.insert(record.footsteps[i].haste);
+    }
+    return found;
+  };
+  const double haste = Walk(argos(), 0.0).walker.params().step.haste;
+  ASSERT_GT(haste, 1.0);
+  EXPECT_EQ(hastes({}), std::set{haste});
+  WalkerParams wave;
+  wave.stepper = {.stepping = gait_state::Stepping::wave, .duty_factor = 0.6};
+  EXPECT_EQ(hastes(wave), std::set{1.0});
 }
 
 // A velocity command is a path and a limit of the speed along it.

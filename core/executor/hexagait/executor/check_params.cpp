@@ -14,6 +14,7 @@ void check_swing(Violations& violations, const SwingParams& p) {
       {"lift_time [s]", p.lift_time},
       {"transfer_time [s]", p.transfer_time},
       {"max_speed [m/s]", p.max_speed},
+      {"hasty_speed [m/s]", p.hasty_speed},
       {"descent_speed [m/s]", p.descent_speed},
       {"touchdown_speed [m/s]", p.touchdown_speed},
       {"search_speed [m/s]", p.search_speed},

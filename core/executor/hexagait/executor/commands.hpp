@@ -18,6 +18,8 @@ struct FootstepCommand {
   LegId leg = 0;
   Vector3 p_OT = Vector3::Zero();  ///< target of the foot's centre, in odom [m]; z is an estimate
   double profile_height = 0.0;     ///< clearance above the higher of start and target [m]
+  /// How many times as fast as SwingParams says, (swing 4). Of a step that has begun it stays.
+  double haste = 1.0;
 };
 
 /// The input of a pose adaptation.

@@ -302,12 +302,13 @@ bool Executor::is_needed(LegId leg, const RobotState& state) const noexcept {
 }
 
 void Executor::move_legs(const RobotState& state, double dt) noexcept {
-  const double unknown = kUnknownLag * params_.swing.max_speed * lag_.lag();
   for (LegId i = 0; i < legs_.size(); ++i) {
     if (lost_.contains(i)) {
       tuck(i, dt);
       continue;
     }
+    const double fastest = hastened(params_.swing, legs_[i].haste).max_speed;
+    const double unknown = kUnknownLag * fastest * lag_.lag();
     const double error = std::max(0.0, lag_.error(i) - unknown);
     const LegSensed sensed{state.contact[i], error, reachable_[i], off_[i], is_needed(i, state)};
     const LegPhase before = legs_[i].phase;

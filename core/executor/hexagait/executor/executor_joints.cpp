@@ -9,8 +9,8 @@
 namespace hexagait {
 namespace {
 
-// A set point in the air that is out of reach goes no farther than the foot can; else it would run
-// away from it, and take as long to come back.
+// A set point in the air that is out of reach, or too fast for the joints, goes no farther than the foot
+// can; else it would run away from it, and take as long to come back.
 void take_back(LegLane& lane, const Vector3& p_BF, const Pose& X_OB, double dt) {
   lane.v_O += X_OB.R * (p_BF - lane.p_BF) / dt;
   lane.a_O.setZero();
@@ -157,12 +157,18 @@ void Executor::set_joints(LegId i, const RobotState& state, double dt) noexcept 
     return;
   }
   if (limited) {
+    // In a step all joints slow down together, and the foot stays on its way.
+    const bool steps = !legs_[i].on_ground() && !planned && !leg.has_two_joints();
+    double share = 1.0;
     for (int k = 0; k < leg.num_joints(); ++k) {
       const double most = leg.limits[k].velocity * dt;
-      change[k] = std::clamp(change[k], -most, most);
+      if (std::abs(change[k]) > most) share = std::min(share, most / std::abs(change[k]));
+      if (!steps) change[k] = std::clamp(change[k], -most, most);
     }
+    if (steps) change *= share;
     wanted.q = targets_.q[i] + change;
     wanted.trig = leg_trig(leg, wanted.q);
+    if (steps) take_back(legs_[i], foot_position(leg, wanted.trig), state.X_OB, dt);
   }
   last_change_[i] = change;
   targets_.q[i] = wanted.q;

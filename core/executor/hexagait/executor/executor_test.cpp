@@ -51,6 +51,33 @@ TEST(Executor, StandsOnAllFeetFromTheReset) {
   EXPECT_EQ(scene.executor.support(), LegSet::all(6));
 }
 
+// (executor 3) With joints of a third of the speed that the step asks for: the set point waits for them, on
+// its way, so that nothing seems to block the foot.
+TEST(Executor, SlowsAStepDownToWhatItsJointsCanDo) {
+  RobotModel model = argos();
+  for (LegModel& leg : model.legs)
+    for (JointLimits& limits : leg.limits) limits.velocity = 1.5;
+  Scene scene(model);
+  const LegId leg = 2;
+  const Vector3 start = scene.state.p_OF[leg], target = start + Vector3(0.1, 0.1, 0.0);
+  scene.executor.command({leg, target, 0.1}, scene.state);
+  int limited = 0;
+  for (int k = 0; k < 2000; ++k) {
+    scene.tick();
+    const LegLane& lane = scene.executor.legs()[leg];
+    ASSERT_EQ(lane.retreats, 0);
+    if (lane.on_ground()) continue;
+    ASSERT_LT((lane.p_BF - scene.state.p_BF[leg]).norm(), 1e-9) << k;
+    const double most = scene.executor.targets().qd[leg].cwiseAbs().maxCoeff();
+    ASSERT_LE(most, 1.5 * (1.0 + 1e-9));
+    limited += most > 1.499;
+    const Vector3 way = scene.state.p_OF[leg] - start;
+    ASSERT_LT(std::abs(way.x() - way.y()), 0.003) << "on its way";
+  }
+  EXPECT_GT(limited, 50);
+  EXPECT_LT((scene.state.p_OF[leg] - target).head<2>().norm(), 0.005);
+}
+
 // (executor 1) is a rigid motion, cut after the second order: |V dt|³/6 < 1e-9 m a tick.
 TEST(Executor, KeepsTheDistancesOfStandingFeetUnderAnyBaseMotion) {
   const RobotModel model = argos();

@@ -35,6 +35,7 @@ void begin_step(LegLane& lane, LegPhase phase, const Pose& X_OB) {
   enter(lane, phase);
   lane.cleared = lane.regains = false;
   lane.retreats = lane.bounces = 0;
+  lane.haste = 1.0;
   lane.reach_fraction = 1.0;
   lane.beside = 0.0;
   lane.transfer_clock = 0.0;
@@ -136,6 +137,7 @@ void retreat(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, const Swi
   lane.back_O = p_OF;
   if (distance != 0.0) lane.back_O += back * (params.retreat_back / distance);  // NaN stays one
   lane.bounces = 0;
+  lane.haste = 1.0;
   lane.v_O.setZero();
   lane.a_O.setZero();
   lane.transfer_clock = 0.0;
@@ -328,6 +330,20 @@ Vector3 step_back(LegLane& lane, const LegSensed& sensed, double dt, const Pose&
 
 }  // namespace
 
+SwingParams hastened(SwingParams params, double haste) noexcept {
+  const auto times = [haste](double speed, double most) {
+    return std::min(haste * speed, std::max(speed, most));
+  };
+  params.lift_time /= haste;
+  params.transfer_time /= haste;
+  params.overlap_time /= haste;
+  params.max_speed = times(params.max_speed, params.hasty_speed);
+  params.descent_speed = times(params.descent_speed, params.max_rise);
+  params.touchdown_speed *= haste;
+  params.vertical_acceleration *= haste * haste;
+  return params;
+}
+
 void sense(LegLane& lane, bool contact, double dt, const SwingParams& params) noexcept {
   lane.touched_down = false;
   lane.with_contact = contact && lane.touching ? lane.with_contact + dt : 0.0;
@@ -346,6 +362,7 @@ void command(LegLane& lane, const FootstepCommand& step, const Pose& X_OB) noexc
   if (!starts) return;
   lane.after_unload = LegPhase::lift;
   begin_step(lane, LegPhase::unload, X_OB);
+  lane.haste = step.haste;
 }
 
 void command(LegLane& lane, const LegPlan& plan, const Pose& X_OB) noexcept {
@@ -392,7 +409,8 @@ void interrupt(LegLane& lane, bool to_stand) noexcept {
 }
 
 void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt,
-             const SwingParams& params) noexcept {
+             const SwingParams& at_ease) noexcept {
+  const SwingParams params = hastened(at_ease, lane.haste);
   lane.lifted = lane.phase == LegPhase::unload && lane.time == 0.0;
   lane.time += dt;
   Vector3 way_O = Vector3::Zero();  // displacement over the ground in this tick
@@ -425,7 +443,8 @@ void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt
   lane.p_BF += X_OB.R.transpose() * way_O;
 }
 
-void coast(LegLane& lane, const Pose& X_OB, double dt, const SwingParams& params) noexcept {
+void coast(LegLane& lane, const Pose& X_OB, double dt, const SwingParams& at_ease) noexcept {
+  const SwingParams params = hastened(at_ease, lane.haste);
   lane.lifted = lane.touched_down = false;
   lane.a_O *= 1.0 - decay_share(dt / kMinTimeToGo);
   const double speed = lane.v_O.norm();

@@ -43,6 +43,7 @@ struct LegLane {
   Vector3 v_O = Vector3::Zero();     ///< its velocity over the ground, axes of odom [m/s]
   Vector3 a_O = Vector3::Zero();     ///< its acceleration over the ground, axes of odom [m/s²]
   FootstepCommand step;              ///< the command being executed
+  double haste = 1.0;                ///< of this step; 1 from its first collision on
   Vector3 p_OL = Vector3::Zero();    ///< where the foot left the ground, odom [m]
   Vector2 back_O = Vector2::Zero();  ///< where a retreat goes, odom [m]
   double transfer_clock = 0.0;       ///< time since the sideways motion began [s]
@@ -89,6 +90,11 @@ struct LegSensed {
   Vector3 off = Vector3::Zero();  ///< from the set point to the measured foot, body frame [m]
   bool needed = false;  ///< without this leg the centre of mass is not over the feet that stand
 };
+
+/// The parameters of a swing that is `haste` times as fast, (swing 4): the same motion, but for what the
+/// joints allow and what it does once it has met the ground.
+/// @param haste  at least 1; 1 changes nothing
+[[nodiscard]] SwingParams hastened(SwingParams params, double haste) noexcept;
 
 /// Counts how long contact lasts or is missing, from its first sample on. So a foot counts as
 /// support in the tick in which it has been so for long enough, before anything is decided.

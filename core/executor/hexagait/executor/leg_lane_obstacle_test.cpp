@@ -44,6 +44,16 @@ TEST(Swing, GoesBackAndUpWhenItHitsSomethingAndOverItAtTheNextTry) {
   EXPECT_NEAR(swing.foot().z(), 0.12, 1e-3);
 }
 
+TEST(Swing, TriesAgainWithoutHaste) {
+  Swing swing;
+  swing.touches = touches_wall;
+  command(swing.lane, {0, kTarget, 0.1, 1.6}, kBody);
+  swing.until(LegPhase::transfer);
+  EXPECT_EQ(swing.lane.haste, 1.6);
+  swing.until(LegPhase::retreat);
+  EXPECT_EQ(swing.lane.haste, 1.0);
+}
+
 // A wall without end: after two tries the foot aims less far each time, 60 % of the way, until it
 // comes down before the wall. 0.35 · 0.6³ = 0.076 m.
 TEST(Swing, GivesWayToAWallWithoutEnd) {

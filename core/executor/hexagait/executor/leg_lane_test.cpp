@@ -119,6 +119,42 @@ TEST(Swing, KeepsToItsSpeedOverLongWays) {
   EXPECT_LT(planar_distance(swing.foot(), kStart + Vector3(0.0, 0.6, 0.0)), 0.003);
 }
 
+// (swing 4) Twice as fast, in half the period: the same places tick for tick, until the foot searches for
+// ground. The floor of the time to go, 50 ms, stays.
+TEST(Swing, InHasteIsTheSameMotionInLessTime) {
+  Swing at_ease, hasty;
+  at_ease.params.unload_time = kDt;  // one tick of each
+  at_ease.params.hasty_speed = 2.0 * at_ease.params.max_speed;
+  hasty.params = at_ease.params;
+  const FootstepCommand step{0, kTarget, 0.1};
+  command(at_ease.lane, step, kBody);
+  command(hasty.lane, {0, kTarget, 0.1, 2.0}, kBody);
+  double passed = 0.0;
+  for (int k = 0; k < 300 && at_ease.foot().z() > -1e-3; ++k) {
+    const LegSensed in_the_air{.contact = k < 5};
+    for (auto& [swing, dt] : {std::pair(&at_ease, 2.0 * kDt), std::pair(&hasty, kDt)}) {
+      sense(swing->lane, in_the_air.contact, dt, swing->params);
+      advance(swing->lane, in_the_air, kBody, dt, swing->params);
+    }
+    ASSERT_LT((hasty.foot() - at_ease.foot()).norm(), 0.004) << k << ": " << at_ease.foot();
+    passed = std::max(passed, planar_distance(hasty.foot(), kStart));
+  }
+  EXPECT_NEAR(passed, kStride, 0.003);
+  EXPECT_LT(at_ease.foot().z(), 0.0) << "it has come down again";
+}
+
+// A command while the foot is in the air changes the target only.
+TEST(Swing, KeepsTheHasteThatItBeganWith) {
+  Swing swing;
+  command(swing.lane, {0, kTarget, 0.1, 1.6}, kBody);
+  swing.until(LegPhase::transfer);
+  command(swing.lane, {0, kTarget, 0.1, 1.0}, kBody);
+  EXPECT_EQ(swing.lane.haste, 1.6);
+  swing.land();
+  swing.command(kStart);
+  EXPECT_EQ(swing.lane.haste, 1.0) << "the next step";
+}
+
 // Nothing sideways before 40 % of the clearance; below commit_height only the tail of the motion,
 // whose speed at the time-to-go of overlap/3 is a few percent of its peak.
 TEST(Swing, LeavesAndMeetsTheGroundVertically) {

@@ -11,15 +11,16 @@ namespace hexagait {
 namespace {
 
 constexpr double kStroke = 0.91, kHeight = 0.45;  // of ℓ
-constexpr double kSidewaysSpeed = 2.93;           // over the ground, of ℓ/T
-constexpr double kBodySpeed = 0.33;               // which the body has then, of ℓ/T
-constexpr double kTransferTime = 1.18;            // of T
-constexpr double kDescentSpeed = 0.44;            // of ℓ/T
-constexpr double kLiftTime = 0.62;                // of T
-constexpr double kRisePeak = 1.875;               // minimum jerk: peak over mean speed
-constexpr double kDisc = 0.55;                    // radius of the swing's volume, of the stroke
-constexpr double kDip = 0.3;                      // its depth below the ground, of the height
-constexpr double kSpeedShare = 0.9;               // of the joints' greatest speeds
+constexpr double kSidewaysSpeed = 2.93;          // over the ground, of ℓ/T
+constexpr double kBodySpeed = 0.33;              // which the body has then, of ℓ/T
+constexpr double kTransferTime = 1.18;           // of T
+constexpr double kDescentSpeed = 0.44;           // of ℓ/T
+constexpr double kLiftTime = 0.62;               // of T
+constexpr double kRisePeak = 1.875;              // minimum jerk: peak over mean speed
+constexpr double kDisc = 0.5;                    // radius of the swing's volume, of the stroke
+constexpr double kDip = 0.3;                     // its depth below the ground, of the height
+constexpr double kSpeedShare = 0.9;              // of the joints' greatest speeds
+constexpr double kHaste = 1.4;                   // of swings on level ground
 
 struct FootSpeed {
   double sideways = std::numeric_limits<double>::infinity();  // [m/s]
@@ -95,6 +96,20 @@ FootSpeed speed_in_volumes(const RobotModel& model, double reach, double gravity
   return least;
 }
 
+// Sideways over the workspaces' centres, from the ground to the apex.
+double crossing_speed(const RobotModel& model, double height) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const LegModel& leg : model.legs) {
+    for (const double z : {0.0, height}) {
+      const LegSolution solution = inverse_kinematics(leg, leg.p_BC + Vector3(0.0, 0.0, z));
+      const FootSpeed speed = leg.has_two_joints() ? foot_speed_of_two(leg, solution.trig)
+                                                   : foot_speed(leg, solution.trig);
+      least = std::min(least, solution.reachable ? speed.sideways : 0.0);
+    }
+  }
+  return least;
+}
+
 double size_of(const RobotModel& model) {
   Vector2 least = model.legs[0].p_BC.head<2>(), most = least;
   for (const LegModel& leg : model.legs) {
@@ -130,6 +145,7 @@ constexpr Parameter kParameters[] = {
     {"step.stroke", "m", kStroke, reach, [](P& p) -> double& { return p.step.stroke; }},
     {"step.height", "m", kHeight, reach, [](P& p) -> double& { return p.step.height; }},
     {"step.level_height", "1", 0.5, none, [](P& p) -> double& { return p.step.level_height; }},
+    {"step.haste", "1", kHaste, none, [](P& p) -> double& { return p.step.haste; }},
     {"step.max_height", "m", 1.0, reach, [](P& p) -> double& { return p.step.max_height; }},
     {"step.stability_margin", "m", 0.03, size,
      [](P& p) -> double& { return p.step.stability_margin; }},
@@ -144,6 +160,8 @@ constexpr Parameter kParameters[] = {
     {"swing.transfer_time", "s", kTransferTime, time,
      [](P& p) -> double& { return p.swing.transfer_time; }},
     {"swing.max_speed", "m/s", 1.0, swing_speed, [](P& p) -> double& { return p.swing.max_speed; }},
+    {"swing.hasty_speed", "m/s", 1.0, hasty_speed,
+     [](P& p) -> double& { return p.swing.hasty_speed; }},
     {"swing.overlap_time", "s", 0.31, time, [](P& p) -> double& { return p.swing.overlap_time; }},
     {"swing.descent_speed", "m/s", kDescentSpeed, speed,
      [](P& p) -> double& { return p.swing.descent_speed; }},
@@ -303,6 +321,7 @@ RobotScale scale_of(const RobotModel& model, double gravity) {
   }
   scale.sideways = speed.sideways;
   scale.upwards = speed.upwards;
+  scale.crossing = std::max(speed.sideways, crossing_speed(model, kHeight * scale.reach));
 
   const double across = kRisePeak * kStroke / kTransferTime - kBodySpeed;
   scale.time = stretch(scale, across, kDescentSpeed) * scale.free_time;
@@ -360,6 +379,9 @@ double measure(ScaleOf of, const RobotScale& s) {
     case swing_speed:
       return std::min(kSidewaysSpeed * (s.reach / s.time),
                       kSpeedShare * s.sideways + kBodySpeed * (s.reach / s.time));
+    case hasty_speed:
+      return std::min(kHaste * kSidewaysSpeed * (s.reach / s.time),
+                      kSpeedShare * s.crossing + kHaste * kBodySpeed * (s.reach / s.time));
   }
   return 1.0;
 }
@@ -404,6 +426,8 @@ const char* symbol(ScaleOf of) {
       return "v↑";
     case swing_speed:
       return "min(2.93 ℓ/T, 0.9 v→ + 0.33 ℓ/T)";
+    case hasty_speed:
+      return "min(4.69 ℓ/T, 0.9 v⇒ + 0.53 ℓ/T)";
   }
   return "";
 }

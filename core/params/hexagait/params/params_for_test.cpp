@@ -116,6 +116,19 @@ TEST(ParamsFor, AskForNoMoreThanTheJointsCanDo) {
         for (int j = 0; j < leg.num_joints(); ++j)
           EXPECT_LE(std::abs(qd[j]), 0.95 * leg.limits[j].velocity) << name << leg.joint_names[j];
       }
+      // A hasty foot passes the centre, and the body has more of its speed.
+      EXPECT_GE(params.swing.hasty_speed, params.swing.max_speed) << name;
+      const double past = params.swing.hasty_speed - 1.6 * 0.33 * scale.reach / scale.time;
+      for (int k = 0; k < 12; ++k) {
+        const Vector3 p = leg.p_BC + Vector3(0.0, 0.0, h * (k % 3) / 2.0);
+        const LegSolution at = inverse_kinematics(leg, p);
+        constexpr double kTime = 1e-6;
+        Vector3 next = p;
+        next.head<2>() += past * kTime * unit_vector(2.0 * std::numbers::pi * k / 12);
+        const LegJoints qd = (inverse_kinematics(leg, next, at.q).q - at.q) / kTime;
+        for (int j = 0; j < leg.num_joints(); ++j)
+          EXPECT_LE(std::abs(qd[j]), 0.95 * leg.limits[j].velocity) << name << leg.joint_names[j];
+      }
     }
   }
 }

@@ -26,6 +26,9 @@ struct StepParams {
   /// Share of `height` on level ground, by (step 2). 1: the same everywhere. Smaller: faster, but the
   /// first edge is found by running into it.
   double level_height = kDerived;
+  /// How many times as fast as SwingParams says feet swing on level ground, by (step 3); at least 1.
+  /// Higher: faster, until the joints limit it; feet run into edges harder.
+  double haste = kDerived;
   /// Clearance added per metre by which another foot's last footprint is higher [m/m]: after one
   /// step in the ground, others are likely. 0: the foot collides with edges higher than the
   /// clearance.
@@ -63,6 +66,8 @@ struct SwingParams {
   double transfer_time = kDerived;
   /// Bound on the peak sideways speed of the foot [m/s].
   double max_speed = kDerived;
+  /// The same bound of hasty steps: max_speed grows with their haste up to this [m/s].
+  double hasty_speed = kDerived;
   /// The descent begins when this much of the sideways motion's time is left [s].
   double overlap_time = kDerived;
   double descent_speed = kDerived;          ///< well above the expected ground [m/s]

@@ -18,6 +18,7 @@ using heading_control::Heading;
 constexpr double kSeconds = 50.0;
 constexpr double kRadius = 2.0;      // [m]
 constexpr double kRoughness = 0.15;  // half of the body's height [m]
+constexpr int kOthers = 7;           // walks on other terrains
 
 }  // namespace
 
@@ -29,6 +30,13 @@ Outcome fig10(const ExperimentContext& context, figures::StagedFiles& files) {
   simulation.trial.seconds = context.short_form ? 10.0 : kSeconds;
 
   const auto [recording, summary] = record(context, simulation);
+  std::vector<walk::Summary> others;
+  recording::Simulation other = simulation;
+  // In the figure the first terrain, whatever becomes of the robot there.
+  for (int k = 0; k < (context.short_form ? 2 : kOthers); ++k) {
+    ++other.seed;
+    others.push_back(recording::simulate(*context.robot, other, {}, context.stop));
+  }
   const double end = recording.samples().back().time;
   draw_snapshots(
       files,
@@ -42,7 +50,7 @@ Outcome fig10(const ExperimentContext& context, figures::StagedFiles& files) {
       {0.0, 0.25 * end, 0.5 * end, 0.75 * end, end}, {simulation.terrain, simulation.seed},
       recording, *context.robot);
   return {.walk = recording::WalkReport{context.robot->name, simulation, summary},
-          .verdicts = judged_in_full_only(judge_fig10(summary), context.short_form)};
+          .verdicts = judged_in_full_only(judge_fig10(summary, others), context.short_form)};
 }
 
 }  // namespace hexagait::experiments

@@ -314,22 +314,40 @@ std::vector<Verdict> judge_fig9(const Summary& s, double longest_pause) {
            .safety = no_fall_and_rule_1({&s, 1})}};
 }
 
-std::vector<Verdict> judge_fig10(const Summary& s) {
+std::vector<Verdict> judge_fig10(const Summary& s, const std::vector<Summary>& others) {
+  std::vector<Summary> all = others;
+  all.push_back(s);
+  const auto gets_over = [](const Summary& x) { return !x.stuck && x.distance >= 4.0; };
+  std::vector<Summary> over;
+  std::ranges::copy_if(all, std::back_inserter(over), gets_over);
+  const double off_curve =
+      worst(over, [](const Summary& x) { return 100.0 * x.lateral_max / x.distance; });
+  // Of single walks the share is anything from 0.2 to 6 %.
+  double flight = 0.0;
+  for (const Summary& each : all) flight += 100.0 * each.neighbour_flight / each.seconds;
+  flight /= static_cast<double>(all.size());
+  std::vector<SafetyCheck> safety = no_fall(all);
+  safety.emplace_back(Measured("lifts beside a leg that is off the ground, worst walk", "",
+                               worst(all, [](const Summary& x) { return x.rule1_violations; })),
+                      at_most(3.0));
+  safety.emplace_back(
+      Measured("two neighbours off the ground, mean of the walks", "% of the time", flight),
+      at_most(5.0));
   return {
       {.claim = "The robot gets over abrupt terrain without a map of it",
-       .safety = no_fall(std::span(&s, 1)),
-       .checks = {{{"stuck", "", s.stuck}, exactly(0.0)},
-                  {{"distance walked", "m", s.distance}, at_least(4.0)}}},
+       .safety = no_fall(all),
+       .checks = {{{"walks of 4 m and more", share_of(all, gets_over)}, at_least(75.0)}}},
       {.claim = "It stays on the commanded curve, by dead reckoning alone",
-       .checks = {{{"off the curve, most", "% of the distance", 100.0 * s.lateral_max / s.distance},
+       .checks = {{{"off the curve, most, worst of these walks", "% of the distance", off_curve},
                    below(5.0)}},
-       .remark = fmt::format("{:.1f} cm; heading {:.1f}° off at most", 100.0 * s.lateral_max,
-                             s.heading_max * 180.0 / std::numbers::pi)},
+       .remark = fmt::format("in that of the figure {:.1f} cm; heading {:.1f}° off at most",
+                             100.0 * s.lateral_max, s.heading_max * 180.0 / std::numbers::pi)},
       {.claim =
            "Hardly a leg is lifted beside one that is off the ground, though feet bounce and slide",
-       .safety = no_fall_and_rule_1({&s, 1}, 5.0, 3.0),
-       .remark = fmt::format("in {} lifts; legs touch the ground beside their feet for {:.2f} s",
-                             s.steps, s.leg_touch_time)}};
+       .safety = safety,
+       .remark = fmt::format("{} walks; in that of the figure {} lifts, and legs touch the ground "
+                             "beside their feet for {:.2f} s",
+                             all.size(), s.steps, s.leg_touch_time)}};
 }
 
 std::vector<Verdict> judge_wave_family(const std::vector<WaveSegment>& segments, const Summary& s) {

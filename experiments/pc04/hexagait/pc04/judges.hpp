@@ -64,7 +64,10 @@ using GenghisComparison = GaitComparison<recording::GenghisSummary>;
 
 /// @param longest_pause  between two lifts [s]
 [[nodiscard]] std::vector<Verdict> judge_fig9(const walk::Summary& summary, double longest_pause);
-[[nodiscard]] std::vector<Verdict> judge_fig10(const walk::Summary& summary);
+/// @param drawn   the walk of the figure
+/// @param others  the same on other terrains of the same kind
+[[nodiscard]] std::vector<Verdict> judge_fig10(const walk::Summary& drawn,
+                                               const std::vector<walk::Summary>& others);
 
 /// The time in which a walk kept one duty factor, and what was measured at its end, over whole
 /// periods of the right rear leg.

@@ -242,11 +242,11 @@ TEST(JudgeFig9, WantsTheCurveFollowedWithoutAPause) {
 }
 
 TEST(JudgeFig10, WantsTheCurveKeptOnRoughGround) {
-  EXPECT_EQ(words(judge_fig10(well_walked())), (Words{kHolds, kHolds, kHolds}));
+  EXPECT_EQ(words(judge_fig10(well_walked(), {})), (Words{kHolds, kHolds, kHolds}));
   const auto broken = [](auto change) {
     walk::Summary s = well_walked();
     change(s);
-    return words(judge_fig10(s));
+    return words(judge_fig10(s, {}));
   };
   EXPECT_EQ(broken([](auto& s) { s.fell = true; }), (Words{kFails, kHolds, kFails}));
   EXPECT_EQ(broken([](auto& s) { s.fault = footstep_gen::Fault::emergency_stop; })[0], kFails);
@@ -254,6 +254,21 @@ TEST(JudgeFig10, WantsTheCurveKeptOnRoughGround) {
   EXPECT_EQ(broken([](auto& s) { s.lateral_max = 1.0; })[1], kFails);
   EXPECT_EQ(broken([](auto& s) { s.rule1_violations = 4; })[2], kFails);
   EXPECT_EQ(broken([](auto& s) { s.neighbour_flight = 0.1 * s.seconds; })[2], kFails);
+
+  walk::Summary other = well_walked();
+  other.neighbour_flight = 0.1 * other.seconds;
+  const std::vector<walk::Summary> unsteady(7, other);
+  EXPECT_EQ(words(judge_fig10(well_walked(), unsteady)), (Words{kHolds, kHolds, kFails}));
+  other = well_walked();
+  other.fell = true;
+  EXPECT_EQ(words(judge_fig10(well_walked(), {other})), (Words{kFails, kHolds, kFails}));
+  other = well_walked();
+  other.stuck = true;
+  std::vector<walk::Summary> some(7, well_walked());
+  some[0] = some[1] = other;
+  EXPECT_EQ(words(judge_fig10(well_walked(), some)), (Words{kHolds, kHolds, kHolds}));
+  some[2] = other;
+  EXPECT_EQ(words(judge_fig10(well_walked(), some)), (Words{kFails, kHolds, kHolds}));
 }
 
 std::vector<WaveSegment> wave_segments() {

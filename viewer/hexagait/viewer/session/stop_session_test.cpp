@@ -34,7 +34,7 @@ TEST(EmergencyStop, HoldsAndGoesOnInEveryPhaseOfTheStep) {
     EXPECT_LT((walk.place().shift - before).norm(), 0.005);
 
     walk.go_on();
-    run(walk, Heading::stop(), 1.5);
+    run(walk, Heading::stop(), 2.0);
     // The body goes to the middle of the feet.
     EXPECT_LT((walk.place().shift - before).norm(), 0.8 * walk.step().stroke) << terrain << k;
     EXPECT_LT(walk.frame().velocity.v.norm(), 0.01) << terrain << k;
