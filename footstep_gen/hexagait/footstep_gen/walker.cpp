@@ -367,12 +367,17 @@ LiftGateDecision Walker::gate() noexcept {
   return decision;
 }
 
-// (step 4)
+// (step 4) Legs of two joints, which slide sideways as they stand, stray more with high steps: theirs
+// remember nothing.
 void Walker::feel_roughness() noexcept {
+  const double spread = height_spread(record_.state.print_O);
+  if (model_->legs[0].has_two_joints()) {
+    spread_ = spread;
+    return;
+  }
   const PlanarTwist& V = record_.base.planar;
   const double speed = V.v.norm() + params_.executor.base.outer_radius * std::abs(V.w);
-  spread_ = remembered_spread(spread_, height_spread(record_.state.print_O),
-                              speed * params_.control_dt, params_.step);
+  spread_ = remembered_spread(spread_, spread, speed * params_.control_dt, params_.step);
 }
 
 void Walker::command() noexcept {

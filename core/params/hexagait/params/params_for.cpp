@@ -11,16 +11,16 @@ namespace hexagait {
 namespace {
 
 constexpr double kStroke = 0.91, kHeight = 0.45;  // of ℓ
-constexpr double kSidewaysSpeed = 2.93;          // over the ground, of ℓ/T
-constexpr double kBodySpeed = 0.33;              // which the body has then, of ℓ/T
-constexpr double kTransferTime = 1.18;           // of T
-constexpr double kDescentSpeed = 0.44;           // of ℓ/T
-constexpr double kLiftTime = 0.62;               // of T
-constexpr double kRisePeak = 1.875;              // minimum jerk: peak over mean speed
-constexpr double kDisc = 0.5;                    // radius of the swing's volume, of the stroke
-constexpr double kDip = 0.3;                     // its depth below the ground, of the height
-constexpr double kSpeedShare = 0.9;              // of the joints' greatest speeds
-constexpr double kHaste = 1.4;                   // of swings on level ground
+constexpr double kSidewaysSpeed = 2.93;           // over the ground, of ℓ/T
+constexpr double kBodySpeed = 0.33;               // which the body has then, of ℓ/T
+constexpr double kTransferTime = 1.18;            // of T
+constexpr double kDescentSpeed = 0.44;            // of ℓ/T
+constexpr double kLiftTime = 0.62;                // of T
+constexpr double kRisePeak = 1.875;               // minimum jerk: peak over mean speed
+constexpr double kDisc = 0.55;                    // radius of the swing's volume, of the stroke
+constexpr double kDip = 0.3;                      // its depth below the ground, of the height
+constexpr double kSpeedShare = 0.9;               // of the joints' greatest speeds
+constexpr double kHaste = 1.4;                    // of swings on level ground
 
 struct FootSpeed {
   double sideways = std::numeric_limits<double>::infinity();  // [m/s]
@@ -427,7 +427,7 @@ const char* symbol(ScaleOf of) {
     case swing_speed:
       return "min(2.93 ℓ/T, 0.9 v→ + 0.33 ℓ/T)";
     case hasty_speed:
-      return "min(4.69 ℓ/T, 0.9 v⇒ + 0.53 ℓ/T)";
+      return "min(4.10 ℓ/T, 0.9 v⇒ + 0.46 ℓ/T)";
   }
   return "";
 }

@@ -21,7 +21,7 @@ inline constexpr double kStandardGravity = 9.81;
 ///     T = s √(L / g)                                                     time
 ///
 /// λ ≤ 1 is the largest share for which the whole volume of a swing is within the legs' reach: discs
-/// of radius half a stroke about the centres, from below the ground up to the apex; and for which a leg
+/// of radius 0.55 · stroke about the centres, from below the ground up to the apex; and for which a leg
 /// carries its standing_load() all over the disc on the ground within its joints' efforts. s ≥ 1 is the
 /// least factor at which the joints, at 0.9 of their greatest speeds, move the foot throughout this
 /// volume as fast as a whole stroke in the time of a transfer asks, and the descent: |q̇| = |J⁺ v|.
@@ -40,7 +40,7 @@ struct RobotScale {
   int legs = 0;
   double sideways = 0.0;  ///< speed of the feet that the joints allow throughout the volume [m/s]
   double upwards = 0.0;   ///< the same, up and down [m/s]
-  double crossing = 0.0;  ///< v⇒: sideways over the workspaces' centres, where a swing is fastest [m/s]
+  double crossing = 0.0;  ///< v⇒: sideways over the workspaces' centres [m/s]
 };
 
 /// @pre the robot is in a stance: p_BC, workspace_radius and q_nominal of its legs are set

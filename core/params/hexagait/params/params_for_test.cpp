@@ -118,7 +118,7 @@ TEST(ParamsFor, AskForNoMoreThanTheJointsCanDo) {
       }
       // A hasty foot passes the centre, and the body has more of its speed.
       EXPECT_GE(params.swing.hasty_speed, params.swing.max_speed) << name;
-      const double past = params.swing.hasty_speed - 1.6 * 0.33 * scale.reach / scale.time;
+      const double past = params.swing.hasty_speed - 1.4 * 0.33 * scale.reach / scale.time;
       for (int k = 0; k < 12; ++k) {
         const Vector3 p = leg.p_BC + Vector3(0.0, 0.0, h * (k % 3) / 2.0);
         const LegSolution at = inverse_kinematics(leg, p);
