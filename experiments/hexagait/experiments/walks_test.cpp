@@ -100,7 +100,7 @@ TEST(JudgeSharpChanges, KnowsHowFarItLeavesThePath) {
   const auto word = [](auto change) {
     std::vector<JudgedWalk> walks = three_walks("sharp change", [](auto& s) {
       s.lateral_max = 0.035;
-      s.margin_min = 0.05;
+      s.margin_min = -0.05;
     });
     change(walks[1].summary);
     return judge_sharp_changes(walks).word();
@@ -108,8 +108,8 @@ TEST(JudgeSharpChanges, KnowsHowFarItLeavesThePath) {
   EXPECT_EQ(word([](auto&) {}), "as expected, does not hold");
   EXPECT_EQ(word([](auto& s) { s.fell = true; }), "FAILS");
   EXPECT_EQ(word([](auto& s) { s.stuck = true; }), "FAILS");
-  EXPECT_EQ(word([](auto& s) { s.lateral_max = 0.05; }), "FAILS");
-  EXPECT_EQ(word([](auto& s) { s.margin_min = -0.001; }), "FAILS");
+  EXPECT_EQ(word([](auto& s) { s.lateral_max = 0.055; }), "FAILS");
+  EXPECT_EQ(word([](auto& s) { s.margin_min = -0.31; }), "FAILS") << "outside its band";
 }
 
 TEST(JudgeTerrain, WantsAllToArriveNearThePath) {
