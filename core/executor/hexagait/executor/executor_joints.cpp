@@ -157,8 +157,12 @@ void Executor::set_joints(LegId i, const RobotState& state, double dt) noexcept 
     return;
   }
   if (limited) {
-    // In a step all joints slow down together, and the foot stays on its way.
-    const bool steps = !legs_[i].on_ground() && !planned && !leg.has_two_joints();
+    // In a step all joints slow down together, and the foot stays on its way. A set point that lets go of
+    // what blocks its foot jumps, and is not held back.
+    const LegLane& lane = legs_[i];
+    const bool swings = lane.phase == LegPhase::lift || lane.phase == LegPhase::transfer ||
+                        (lane.phase == LegPhase::descend && !lane.regains);
+    const bool steps = swings && !leg.has_two_joints();
     double share = 1.0;
     for (int k = 0; k < leg.num_joints(); ++k) {
       const double most = leg.limits[k].velocity * dt;
