@@ -157,7 +157,7 @@ TEST_F(Cli, WalksWithParametersThatAreSetAndNoFasterThanAsked) {
 }
 
 TEST_F(Cli, ListsTheParametersOfARobotAndWhereTheyComeFrom) {
-  EXPECT_THAT(run("robot argos").out, AllOf(HasSubstr("step.stroke"), HasSubstr("0.45 ℓ")));
+  EXPECT_THAT(run("robot argos").out, AllOf(HasSubstr("step.stroke"), HasSubstr("0.91 ℓ")));
 }
 
 TEST_F(Cli, RunsAnActionOnAnotherRobotOrSaysInALineWhyNot) {

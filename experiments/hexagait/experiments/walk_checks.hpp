@@ -59,9 +59,16 @@ template <class Range>
            exactly(0.0)}};
 }
 
-/// The same; and rule 1, by where the feet truly are. On flat ground with a constant heading it is
-/// never broken. Where feet bounce or slide off edges, a foot that the controller takes for support
-/// may be off the ground: then no walk breaks it more than so often, or for so long.
+/// How often a leg was lifted beside one that is off the ground, in the worst walk.
+[[nodiscard]] Measured worst_lifts(std::span<const walk::Summary> walks);
+/// Share of a walk's time with two neighbours off the ground [%].
+[[nodiscard]] std::vector<double> flight_percents(std::span<const walk::Summary> walks);
+/// The same of the worst walk.
+[[nodiscard]] Measured worst_flight(std::span<const walk::Summary> walks);
+
+/// What no_fall() says; and rule 1, by where the feet truly are. On flat ground with a constant
+/// heading it is never broken. Where feet bounce or slide off edges, a foot that the controller takes
+/// for support may be off the ground: then no walk breaks it more than so often, or for so long.
 [[nodiscard]] std::vector<SafetyCheck> no_fall_and_rule_1(std::span<const walk::Summary> walks,
                                                           double most_flight_percent = 0.0,
                                                           double most_lifts = 0.0);

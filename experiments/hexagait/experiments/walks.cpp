@@ -230,10 +230,9 @@ Verdict judge_sharp_changes(std::span<const Walk> walks) {
   return {.claim = fmt::format("{} sharp changes of heading at full speed", walks.size()),
           .safety = no_fall(summaries(walks)),
           .checks = {
-              none_stuck(walks),
-              to_the_end(walks),
+              none_stuck(walks), to_the_end(walks),
               Check({"farthest from the path, worst change", "cm", worst(walks, off)}, at_most(2.0))
-                  .expected_to_fail(between(2.0, 5.0), kPolygon),
+                  .expected_to_fail(between(2.0, 4.5), kPolygon),
               Check({"least stability margin of all", "cm", statistics::least(each(walks, margin))},
                     at_least(0.0))
                   .expected_to_fail(between(-30.0, 0.0), kBounces)}};

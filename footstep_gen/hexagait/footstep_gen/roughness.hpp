@@ -20,7 +20,7 @@ namespace hexagait::footstep_gen {
   return highest - lowest;
 }
 
-inline constexpr double kHastyUpTo = 1.5, kSlowFrom = 2.5;  // of the step height
+inline constexpr double kSlowFrom = 2.5;  ///< spread without haste, of the step height
 
 /// The spread of ground that no foot has stood on yet: the first steps are as high as over rough
 /// ground [m].
@@ -42,6 +42,7 @@ inline constexpr double kHastyUpTo = 1.5, kSlowFrom = 2.5;  // of the step heigh
 /// (1 − level_height) height on, as high as over rough ground, (step 2). In haste up to a spread of 1.5
 /// heights; from 2.5 heights on without, (step 3).
 [[nodiscard]] inline StepParams on_ground(StepParams step, double spread) noexcept {
+  constexpr double kHastyUpTo = 1.5;
   const double range = (kSlowFrom - kHastyUpTo) * step.height;
   const double level = std::clamp(kSlowFrom * step.height - spread, 0.0, range);
   step.haste = range > 0.0 ? 1.0 + (step.haste - 1.0) * level / range : 1.0;

@@ -144,7 +144,7 @@ const TickRecord& Walker::step(PlantStatus status, const Measurement& measuremen
                                const heading_control::Heading& heading) noexcept {
   record_.lifts = record_.waits = record_.rule1_violations = LegSet();
   if (!healthy(status, measurement)) return stand_by(measurement), record_;
-  estimate();       // joints and contacts → feet, odometry, who stands
+  estimate();       // joints and contacts → feet, odometry, who stands, how rough the ground is
   steer(heading);   // heading → path of this robot, deviation from it
   find_deadlock();  // nobody gets on: where the body goes instead
   decide();         // gait state: which legs may step; stepper: which do
@@ -236,6 +236,18 @@ void Walker::estimate() noexcept {
   for (LegId i = 0; !lost.empty() && i < model_->num_legs(); ++i)
     if (lost.contains(i))
       record_.state.print_O[i] = record_.state.print_O[gait_state::leg_at(0, ring())];
+  feel_roughness();
+}
+
+// (step 4) Legs of two joints, which slide sideways as they stand, stray more with high steps: theirs
+// remember nothing.
+void Walker::feel_roughness() noexcept {
+  const double spread = height_spread(record_.state.print_O);
+  const PlanarTwist& V = record_.base.planar;
+  const double speed = V.v.norm() + params_.executor.base.outer_radius * std::abs(V.w);
+  spread_ = model_->legs[0].has_two_joints()
+                ? spread
+                : remembered_spread(spread_, spread, speed * params_.control_dt, params_.step);
 }
 
 heading_control::PathArc Walker::arc_of(const heading_control::Heading& heading) const noexcept {
@@ -367,22 +379,8 @@ LiftGateDecision Walker::gate() noexcept {
   return decision;
 }
 
-// (step 4) Legs of two joints, which slide sideways as they stand, stray more with high steps: theirs
-// remember nothing.
-void Walker::feel_roughness() noexcept {
-  const double spread = height_spread(record_.state.print_O);
-  if (model_->legs[0].has_two_joints()) {
-    spread_ = spread;
-    return;
-  }
-  const PlanarTwist& V = record_.base.planar;
-  const double speed = V.v.norm() + params_.executor.base.outer_radius * std::abs(V.w);
-  spread_ = remembered_spread(spread_, spread, speed * params_.control_dt, params_.step);
-}
-
 void Walker::command() noexcept {
   const double half_step = walks() ? 0.5 * params_.step.stroke : 0.0;
-  feel_roughness();
   StepParams step = steps_here();
   record_.path_to_come = path_to_come(record_.arc, executor_, half_step, path_pose());
   // With a leg lost the base waits for balance more often, and feet would land too far ahead of it.

@@ -237,23 +237,23 @@ Summary rough_walk(const Rough& rough, const char* terrain, double dt, double se
   return run_trial(walker, plant, world.truth(), options);
 }
 
-// Any control period: in each step of 0.5 s contact is seen half a period late on average, the neighbours
-// hear of it one later, and phases end between two periods. Slow drives: 80 % of the speed of the ideal ones
-// at 2 ms; with a lag of 40 ms, of steps without haste.
+// Any control period: in each step of 0.87 s contact is seen half a period late on average, and the
+// neighbours hear of it one later. Slow drives: 80 % of the speed of the ideal ones at 2 ms; with a lag of
+// 40 ms, of steps without haste.
 TEST(RoughPhysics, WalksWithSlowDrivesAtAnyControlPeriod) {
   const double ideal = rough_walk({}, "flat", 0.002, 20.0).speed;
   const double haste = params_for(argos()).step.haste;
   for (const double dt : {0.002, 0.01, 0.02}) {
     const Summary plain = rough_walk({}, "flat", dt, 20.0);
     EXPECT_TRUE(plain.ok());
-    EXPECT_GT(plain.speed, (1.0 - 3.0 * dt / 0.5) * ideal) << dt;
+    EXPECT_GT(plain.speed, (1.0 - 1.5 * dt / 0.87) * ideal) << dt;
     EXPECT_LT(plain.lateral_mean, 0.005);
     for (const Rough& rough :
          {Rough{.lag = 0.02}, Rough{.lag = 0.04}, Rough{.positions_only = true}}) {
       const Summary s = rough_walk(rough, "flat", dt, 8.0);
       EXPECT_TRUE(s.ok());
-      EXPECT_GT(s.speed, 0.8 * ideal / (rough.lag > 0.03 ? haste : 1.0))
-          << dt << " s, lag " << rough.lag;
+      const double share = rough.lag > 0.03 ? 0.8 / haste : 0.8;
+      EXPECT_GT(s.speed, share * ideal) << dt << " s, lag " << rough.lag;
     }
   }
 }
@@ -268,7 +268,7 @@ TEST(RoughPhysics, IsNotStoppedByFalseContacts) {
 TEST(RoughPhysics, DoesNotStrayWithNoisyJoints) {
   const Summary flat = rough_walk({.noise = 0.002}, "flat", 0.002, 20.0);
   EXPECT_TRUE(flat.ok());
-  EXPECT_LT(flat.lateral_end, 0.004 * 20.0 * flat.speed) << "4 mm per metre";
+  EXPECT_LT(flat.lateral_end, 0.02);
   const Summary boxes = rough_walk({.noise = 0.002}, "boxes:0.10", 0.002, 20.0);
   EXPECT_TRUE(boxes.ok());
   EXPECT_LT(boxes.lateral_mean, 0.04);

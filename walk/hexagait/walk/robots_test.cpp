@@ -159,7 +159,7 @@ TEST(Desktop, WalksWithHobbyServos) {
   const Summary s = run_trial(walker, plant, world.truth(), options);
   EXPECT_TRUE(s.ok()) << in_words(s.hindrance, robot);
   EXPECT_GE(s.speed, 0.08);
-  EXPECT_LT(s.lateral_max, 0.01 * s.distance);
+  EXPECT_LT(s.lateral_max, 0.02 * scale_of(robot).size);
 }
 
 /// One leg at a time, the centre of mass inside the other three feet. The body sways across its path,

@@ -307,7 +307,7 @@ void Executor::move_legs(const RobotState& state, double dt) noexcept {
       tuck(i, dt);
       continue;
     }
-    const double fastest = hastened(params_.swing, legs_[i].haste).max_speed;
+    const double fastest = hastened_max_speed(params_.swing, legs_[i].haste);
     const double unknown = kUnknownLag * fastest * lag_.lag();
     const double error = std::max(0.0, lag_.error(i) - unknown);
     const LegSensed sensed{state.contact[i], error, reachable_[i], off_[i], is_needed(i, state)};

@@ -19,6 +19,11 @@ constexpr double kSearchWidth = 2.0;
 // way, so that it does not run into the end of a joint beyond.
 constexpr double kCoasting = 2.0;
 
+// So many times a speed, but no more than the joints allow.
+double faster(double speed, double times, double most) {
+  return std::min(times * speed, std::max(speed, most));
+}
+
 // Has a timer that counts in control periods reached its time?
 bool elapsed(double time, double limit) { return time > limit - kTimeTolerance; }
 
@@ -330,15 +335,16 @@ Vector3 step_back(LegLane& lane, const LegSensed& sensed, double dt, const Pose&
 
 }  // namespace
 
+double hastened_max_speed(const SwingParams& params, double haste) noexcept {
+  return faster(params.max_speed, haste, params.hasty_speed);
+}
+
 SwingParams hastened(SwingParams params, double haste) noexcept {
-  const auto times = [haste](double speed, double most) {
-    return std::min(haste * speed, std::max(speed, most));
-  };
   params.lift_time /= haste;
   params.transfer_time /= haste;
   params.overlap_time /= haste;
-  params.max_speed = times(params.max_speed, params.hasty_speed);
-  params.descent_speed = times(params.descent_speed, params.max_rise);
+  params.max_speed = hastened_max_speed(params, haste);
+  params.descent_speed = faster(params.descent_speed, haste, params.max_rise);
   params.touchdown_speed *= haste;
   params.vertical_acceleration *= haste * haste;
   return params;

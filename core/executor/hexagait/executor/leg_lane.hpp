@@ -95,6 +95,8 @@ struct LegSensed {
 /// joints allow and what it does once it has met the ground.
 /// @param haste  at least 1; 1 changes nothing
 [[nodiscard]] SwingParams hastened(SwingParams params, double haste) noexcept;
+/// Of these the bound on the sideways speed [m/s].
+[[nodiscard]] double hastened_max_speed(const SwingParams& params, double haste) noexcept;
 
 /// Counts how long contact lasts or is missing, from its first sample on. So a foot counts as
 /// support in the tick in which it has been so for long enough, before anything is decided.

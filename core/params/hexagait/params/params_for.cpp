@@ -57,6 +57,11 @@ FootSpeed foot_speed_of_two(const LegModel& leg, const LegTrig& trig) {
   return speed;
 }
 
+FootSpeed speed_at(const LegModel& leg, const LegSolution& solution) {
+  return leg.has_two_joints() ? foot_speed_of_two(leg, solution.trig)
+                              : foot_speed(leg, solution.trig);
+}
+
 bool carries(const LegModel& leg, const LegSolution& solution, double load, double gravity) {
   const LegJoints effort = standing_effort(leg, solution, load, gravity);
   for (int k = 0; k < leg.num_joints(); ++k)
@@ -77,8 +82,7 @@ FootSpeed speed_in_volume(const LegModel& leg, double reach, double load, double
       const LegSolution solution = inverse_kinematics(leg, leg.p_BC + offset);
       if (!solution.reachable) return {0.0, 0.0};
       if (z == 0.0 && !carries(leg, solution, load, gravity)) return {0.0, 0.0};
-      const FootSpeed speed = leg.has_two_joints() ? foot_speed_of_two(leg, solution.trig)
-                                                   : foot_speed(leg, solution.trig);
+      const FootSpeed speed = speed_at(leg, solution);
       least.sideways = std::min(least.sideways, speed.sideways);
       least.upwards = std::min(least.upwards, speed.upwards);
     }
@@ -102,9 +106,7 @@ double crossing_speed(const RobotModel& model, double height) {
   for (const LegModel& leg : model.legs) {
     for (const double z : {0.0, height}) {
       const LegSolution solution = inverse_kinematics(leg, leg.p_BC + Vector3(0.0, 0.0, z));
-      const FootSpeed speed = leg.has_two_joints() ? foot_speed_of_two(leg, solution.trig)
-                                                   : foot_speed(leg, solution.trig);
-      least = std::min(least, solution.reachable ? speed.sideways : 0.0);
+      least = std::min(least, solution.reachable ? speed_at(leg, solution).sideways : 0.0);
     }
   }
   return least;
@@ -321,7 +323,7 @@ RobotScale scale_of(const RobotModel& model, double gravity) {
   }
   scale.sideways = speed.sideways;
   scale.upwards = speed.upwards;
-  scale.crossing = std::max(speed.sideways, crossing_speed(model, kHeight * scale.reach));
+  scale.crossing = crossing_speed(model, kHeight * scale.reach);
 
   const double across = kRisePeak * kStroke / kTransferTime - kBodySpeed;
   scale.time = stretch(scale, across, kDescentSpeed) * scale.free_time;

@@ -322,21 +322,16 @@ std::vector<Verdict> judge_fig10(const Summary& s, const std::vector<Summary>& o
   std::ranges::copy_if(all, std::back_inserter(over), gets_over);
   const double off_curve =
       worst(over, [](const Summary& x) { return 100.0 * x.lateral_max / x.distance; });
-  // Of single walks the share is anything from 0.2 to 6 %.
-  double flight = 0.0;
-  for (const Summary& each : all) flight += 100.0 * each.neighbour_flight / each.seconds;
-  flight /= static_cast<double>(all.size());
+  // Of single walks, and of short ones, the share is anything from 0.2 to 6 %.
+  const Measured flight("two neighbours off the ground, mean of the walks", "% of the time",
+                        statistics::estimate(flight_percents(all)).mean);
   std::vector<SafetyCheck> safety = no_fall(all);
-  safety.emplace_back(Measured("lifts beside a leg that is off the ground, worst walk", "",
-                               worst(all, [](const Summary& x) { return x.rule1_violations; })),
-                      at_most(3.0));
-  safety.emplace_back(
-      Measured("two neighbours off the ground, mean of the walks", "% of the time", flight),
-      at_most(5.0));
+  safety.emplace_back(worst_lifts(all), at_most(3.0));
+  safety.emplace_back(flight, at_most(5.0));
   return {
       {.claim = "The robot gets over abrupt terrain without a map of it",
        .safety = no_fall(all),
-       .checks = {{{"walks of 4 m and more", share_of(all, gets_over)}, at_least(75.0)}}},
+       .checks = {{{"walks of 4 m and more", share_of(all, gets_over)}, exactly(100.0)}}},
       {.claim = "It stays on the commanded curve, by dead reckoning alone",
        .checks = {{{"off the curve, most, worst of these walks", "% of the distance", off_curve},
                    below(5.0)}},
@@ -345,6 +340,7 @@ std::vector<Verdict> judge_fig10(const Summary& s, const std::vector<Summary>& o
       {.claim =
            "Hardly a leg is lifted beside one that is off the ground, though feet bounce and slide",
        .safety = safety,
+       .checks = {{worst_flight(all), at_most(5.0)}},
        .remark = fmt::format("{} walks; in that of the figure {} lifts, and legs touch the ground "
                              "beside their feet for {:.2f} s",
                              all.size(), s.steps, s.leg_touch_time)}};

@@ -265,10 +265,12 @@ TEST(JudgeFig10, WantsTheCurveKeptOnRoughGround) {
   other = well_walked();
   other.stuck = true;
   std::vector<walk::Summary> some(7, well_walked());
-  some[0] = some[1] = other;
   EXPECT_EQ(words(judge_fig10(well_walked(), some)), (Words{kHolds, kHolds, kHolds}));
   some[2] = other;
   EXPECT_EQ(words(judge_fig10(well_walked(), some)), (Words{kFails, kHolds, kHolds}));
+  some[2] = well_walked();
+  some[2].neighbour_flight = 0.06 * some[2].seconds;
+  EXPECT_EQ(words(judge_fig10(well_walked(), some)), (Words{kHolds, kHolds, kFails}));
 }
 
 std::vector<WaveSegment> wave_segments() {
