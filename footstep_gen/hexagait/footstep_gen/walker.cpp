@@ -22,6 +22,7 @@ constexpr double kPatience = 1.5;    // of a step all tries of which fail: then 
 constexpr double kMostToCome = 0.5;  // of half a step
 constexpr double kMostLean = 0.5;    // of the smallest workspace radius
 constexpr double kLeanRate = 3.0;    // of the rate at which the body tilts
+constexpr double kEndOfReach = 0.9, kHole = 0.5, kBeside = 1.0;  // of the workspace radius
 constexpr double kHastyLag = 0.1;  // of the time of a lift: drives that are prompt enough for haste
 
 void check_stepping(Violations& violations, const gait_state::StepperParams& stepper) {
@@ -379,7 +380,28 @@ LiftGateDecision Walker::gate() noexcept {
   return decision;
 }
 
+// A robot that does not get on in spite of what it knows begins anew.
+void Walker::learn_holes() noexcept {
+  if (record_.escape.phase == EscapePhase::moves) holes_ = {};
+  for (const LegLane& lane : executor_.legs())
+    if (lane.found_no_ground) holes_.add((record_.state.X_OB * lane.p_BF).head<2>());
+}
+
+// (step 5)
+void Walker::keep_clear_of_holes(FootstepCommand& step) const noexcept {
+  step.hole = params_.step.max_height;
+  if (holes_.empty()) return;
+  const LegId i = step.leg;
+  const double radius = executor_.stance().radius[i];
+  const Vector3 end_O = record_.state.X_OB * aep(record_.arc, i, kEndOfReach * radius);
+  const Vector2 from = record_.state.print_O[i].head<2>(), to = step.p_OT.head<2>();
+  step.p_OT.head<2>() = clear_of(holes_, from, to, end_O.head<2>(), kHole * radius);
+  const double off = holes_.distance(step.p_OT.head<2>(), direction(from, to));
+  if (off < kBeside * radius) step.depth = params_.step.height;
+}
+
 void Walker::command() noexcept {
+  learn_holes();
   const double half_step = walks() ? 0.5 * params_.step.stroke : 0.0;
   StepParams step = steps_here();
   record_.path_to_come = path_to_come(record_.arc, executor_, half_step, path_pose());
@@ -394,6 +416,7 @@ void Walker::command() noexcept {
     record_.footsteps[i] =
         footstep(*model_, executor_.stance(), record_.arc, record_.state, i, half_step,
                  share_to_come(i) * record_.path_to_come, step, path_pose());
+    if (!crawls()) keep_clear_of_holes(record_.footsteps[i]);
     executor_.command(record_.footsteps[i], record_.state);
   }
   // While it crawls its footholds keep to the path; the body follows them.

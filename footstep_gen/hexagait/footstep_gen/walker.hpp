@@ -4,6 +4,7 @@
 
 #include <hexagait/executor/state_estimator.hpp>
 #include <hexagait/footstep_gen/generator.hpp>
+#include <hexagait/footstep_gen/holes.hpp>
 #include <hexagait/footstep_gen/lost_legs.hpp>
 #include <hexagait/footstep_gen/tick_record.hpp>
 #include <hexagait/gait_state/decide.hpp>
@@ -123,6 +124,8 @@ class Walker {
   void lean() noexcept;
   [[nodiscard]] Vector2 way_for_waiting() const noexcept;
   void feel_roughness() noexcept;
+  void learn_holes() noexcept;
+  void keep_clear_of_holes(FootstepCommand& step) const noexcept;
   [[nodiscard]] StepParams steps_here() const noexcept;
   [[nodiscard]] const Pose* path_pose() const noexcept { return crawls() ? &X_BG_ : nullptr; }
   [[nodiscard]] double share_to_come(LegId leg) const noexcept;
@@ -142,7 +145,8 @@ class Walker {
   Vector2 lean_ = Vector2::Zero();  ///< of the workspace centres from there [m]
   Executor executor_;
   double speed_limit_ = std::numeric_limits<double>::infinity();  ///< along the path [m/s]
-  double spread_ = 0.0;                                           ///< of the ground of late [m]
+  Holes holes_;
+  double spread_ = 0.0;     ///< of the ground of late [m]
   long catches_until_ = 0;  ///< tick until which it may have to catch itself
   long ticks_ = 0;          ///< number of control periods, late ones too
   TickRecord record_;

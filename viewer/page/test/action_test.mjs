@@ -12,7 +12,7 @@ withPage(["--terrain", "flat", "--speed", "3"], (parts) => ({ browser, server, p
 const kRight = 1;  // the right front leg, which paw lifts
 const kBad = "steps:\n- step:\n  - base_auto: {hieght: 0.2}\n- step:\n  - wait: {}\n";
 const key = (name) => press(page, name);
-const words = (pattern, timeout = 20000) => page.waitForFunction(
+const words = (pattern, timeout = 60000) => page.waitForFunction(
   ([source]) => new RegExp(source).test(document.getElementById("action-facts").textContent), [pattern], { timeout });
 const yaml = (name, text) => ({ name, mimeType: "application/yaml", buffer: Buffer.from(text) });
 /** Drags a file over the page, and drops it. */

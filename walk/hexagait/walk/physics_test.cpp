@@ -258,6 +258,17 @@ TEST(RoughPhysics, WalksWithSlowDrivesAtAnyControlPeriod) {
   }
 }
 
+// Two ditches of 15 cm, and no map: feet that find no ground try beyond it, and the others know. A foot may
+// still come down on an edge and roll off it.
+TEST(RoughPhysics, StepsOverMostDitches) {
+  int over = 0;
+  for (const double dt : {0.002, 0.005, 0.01, 0.02}) {
+    const Summary s = rough_walk({}, "ditches:0.15", dt, 30.0);
+    over += s.ok() && s.distance > 3.0 ? 1 : 0;
+  }
+  EXPECT_GE(over, 3);
+}
+
 TEST(RoughPhysics, IsNotStoppedByFalseContacts) {
   const double ideal = rough_walk({}, "flat", 0.002, 12.0).speed;
   const Summary s = rough_walk({.false_contacts = 0.001}, "flat", 0.002, 12.0);

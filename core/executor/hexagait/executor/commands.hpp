@@ -20,6 +20,11 @@ struct FootstepCommand {
   double profile_height = 0.0;     ///< clearance above the higher of start and target [m]
   /// How many times as fast as SwingParams says, (swing 4). Of a step that has begun it stays.
   double haste = 1.0;
+  /// Where the leg ends farther below the target than this, and there is no ground, is a hole: the foot
+  /// rises straight up, and comes down at the target again, which is to be another one by then [m].
+  double hole = std::numeric_limits<double>::infinity();
+  /// Beside holes: farther below the target than this ground is not looked for [m].
+  double depth = std::numeric_limits<double>::infinity();
 };
 
 /// The input of a pose adaptation.

@@ -45,6 +45,7 @@ void begin_step(LegLane& lane, LegPhase phase, const Pose& X_OB) {
   lane.beside = 0.0;
   lane.transfer_clock = 0.0;
   lane.p_OL = X_OB * lane.p_BF;
+  lane.rises_from = lane.p_OL.z();
 }
 
 // A tick of a ramp of that time.
@@ -131,31 +132,51 @@ void land(LegLane& lane, double dt, const SwingParams& params) {
   ramp(lane.load, 1.0, dt, params.load_time);
 }
 
-// Moves back, away from the foothold, and up. The next attempt is higher and, after two, shorter; then the
-// foot goes back to where it stood, and if it finds no ground there either, it searches. The set point
-// lets go of what blocks the foot: it would push with more than 1 kN and roll the body.
+// Ends a try. The set point lets go of what blocks the foot: it would push with more than 1 kN and roll the body.
+void let_go(LegLane& lane, const LegSensed& sensed) {
+  lane.p_BF += sensed.off;
+  lane.v_O.setZero();
+  lane.a_O.setZero();
+  lane.transfer_clock = 0.0;
+  lane.bounces = 0;
+  lane.haste = 1.0;
+}
+
+// After the last try the foot goes back to where it stood, and if it finds no ground there either, it searches.
+void search_elsewhere(LegLane& lane, const SwingParams& params) {
+  if (lane.retreats < params.max_retreats) return;
+  if (lane.retreats == params.max_retreats) {
+    lane.reach_fraction = 0.0;
+    return;
+  }
+  const FootholdTry next = searched_foothold(lane.retreats - params.max_retreats - 1);
+  lane.reach_fraction = next.along;
+  lane.beside = next.beside * kSearchWidth * params.retreat_back;
+}
+
+// There is no ground within reach: straight up again, so that the foot meets no wall of the hole. Where it
+// tries next, who commands the footsteps knows best.
+void climb_out(LegLane& lane, const LegSensed& sensed, const Pose& X_OB) {
+  enter(lane, LegPhase::lift);
+  let_go(lane, sensed);
+  lane.found_no_ground = true;
+  lane.rises_from = height_of(lane, X_OB);
+  ++lane.retreats;
+  lane.reach_fraction = 1.0;
+  lane.beside = 0.0;
+}
+
+// Moves back, away from the foothold, and up. The next attempt is higher and, after two, shorter.
 void retreat(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, const SwingParams& params) {
   enter(lane, LegPhase::retreat);
-  lane.p_BF += sensed.off;
+  let_go(lane, sensed);
   const Vector2 p_OF = (X_OB * lane.p_BF).head<2>(), back = p_OF - lane.step.p_OT.head<2>();
   const double distance = back.norm();
   lane.back_O = p_OF;
   if (distance != 0.0) lane.back_O += back * (params.retreat_back / distance);  // NaN stays one
-  lane.bounces = 0;
-  lane.haste = 1.0;
-  lane.v_O.setZero();
-  lane.a_O.setZero();
-  lane.transfer_clock = 0.0;
   if (++lane.retreats > 2) lane.reach_fraction *= kCloser;
-  if (lane.retreats < params.max_retreats) {
-    lane.apex_z += params.retreat_up;
-  } else if (lane.retreats == params.max_retreats) {
-    lane.reach_fraction = 0.0;
-  } else {
-    const FootholdTry next = searched_foothold(lane.retreats - params.max_retreats - 1);
-    lane.reach_fraction = next.along;
-    lane.beside = next.beside * kSearchWidth * params.retreat_back;
-  }
+  if (lane.retreats < params.max_retreats) lane.apex_z += params.retreat_up;
+  search_elsewhere(lane, params);
 }
 
 bool gives_up(const LegLane& lane, const SwingParams& params) {
@@ -172,7 +193,7 @@ double rise_left(LegLane& lane, const LegSensed& sensed, double height) {
 // Minimum jerk over h in T has the peak speed 1.875 h/T.
 double rise_time(const LegLane& lane, const SwingParams& params) {
   return std::max(params.lift_time,
-                  kMinimumJerkPeak * (lane.apex_z - lane.p_OL.z()) / params.max_rise);
+                  kMinimumJerkPeak * (lane.apex_z - lane.rises_from) / params.max_rise);
 }
 
 void support(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
@@ -203,6 +224,7 @@ void unload(LegLane& lane, double dt, const Pose& X_OB, const SwingParams& param
   if (lane.load > 0.0) return;
   if (lane.after_unload != LegPhase::lift) return enter(lane, lane.after_unload);
   lane.p_OL = X_OB * lane.p_BF;
+  lane.rises_from = lane.p_OL.z();
   lane.apex_z = std::max(lane.p_OL.z(), lane.step.p_OT.z()) + lane.step.profile_height;
   enter(lane, LegPhase::lift);
 }
@@ -249,7 +271,12 @@ Vector3 descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X
   const double height = height_of(lane, X_OB);
   Vector3 way_O = Vector3::Zero();
   lane.cleared = lane.cleared || !sensed.contact;
+  const double below = lane.step.p_OT.z() - height;
+  // Contact this far down is that with the wall of a hole.
+  const bool wall =
+      std::isfinite(lane.step.depth) && below > params.commit_height && !gives_up(lane, params);
   const bool found = sensed.contact && lane.cleared;
+  if (found && wall) return climb_out(lane, sensed, X_OB), way_O;
   if (found) return land(lane, dt, params), way_O;
   const bool blocked = !sensed.reachable || sensed.tracking_error > params.blocked_error;
   // It lost contact but not its load: its shin stands on something. It stays as it is while the robot needs it.
@@ -259,6 +286,9 @@ Vector3 descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X
     move(lane, 2, braking_tick(lane.v_O.z(), lane.a_O.z(), dt), way_O);
     return way_O;
   }
+  const bool deep = below > lane.step.depth || (!sensed.reachable && below > lane.step.hole);
+  const bool in_a_hole = deep && sensed.tracking_error <= params.blocked_error;
+  if (in_a_hole) return climb_out(lane, sensed, X_OB), way_O;
   // What is in the way is not pushed: the robot would stand on its shin.
   if (blocked) {
     lane.reach_fraction *= kCloser;
@@ -418,6 +448,7 @@ void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt
              const SwingParams& at_ease) noexcept {
   const SwingParams params = hastened(at_ease, lane.haste);
   lane.lifted = lane.phase == LegPhase::unload && lane.time == 0.0;
+  lane.found_no_ground = false;
   lane.time += dt;
   Vector3 way_O = Vector3::Zero();  // displacement over the ground in this tick
   switch (lane.phase) {
@@ -451,7 +482,7 @@ void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt
 
 void coast(LegLane& lane, const Pose& X_OB, double dt, const SwingParams& at_ease) noexcept {
   const SwingParams params = hastened(at_ease, lane.haste);
-  lane.lifted = lane.touched_down = false;
+  lane.lifted = lane.touched_down = lane.found_no_ground = false;
   lane.a_O *= 1.0 - decay_share(dt / kMinTimeToGo);
   const double speed = lane.v_O.norm();
   if (lane.on_ground() || speed <= 0.0) return;

@@ -47,14 +47,16 @@ struct LegLane {
   Vector3 p_OL = Vector3::Zero();    ///< where the foot left the ground, odom [m]
   Vector2 back_O = Vector2::Zero();  ///< where a retreat goes, odom [m]
   double transfer_clock = 0.0;       ///< time since the sideways motion began [s]
+  double rises_from = 0.0;           ///< height at which the rise began, odom [m]
   double apex_z = 0.0;               ///< height of the apex, odom [m]
   bool cleared = false;              ///< contact has been lost since the lift
-  int retreats = 0;                  ///< collisions of this step
+  int retreats = 0;                  ///< tries of this step that failed
   int bounces = 0;                   ///< its touchdowns that were none, since the last retreat
   double reach_fraction = 1.0;       ///< of the way to the foothold, less when it is not reachable
   double beside = 0.0;               ///< to the left of that way [m]: the foothold is searched for
   bool touched_down = false;         ///< counts as support from this tick on
   bool lifted = false;               ///< left support in this tick
+  bool found_no_ground = false;      ///< gave up in this tick as deep as it reaches
   bool regains = false;              ///< descends because it lost contact in support
 
   // For legs that follow a plan:

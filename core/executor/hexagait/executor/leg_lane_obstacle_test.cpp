@@ -101,6 +101,53 @@ TEST(Swing, LetsGoOfAWallThatItRisesAlong) {
   EXPECT_LT(planar_distance(swing.foot(), kTarget), 0.01);
 }
 
+// A hole deeper than the leg: straight up, without a wall in the way, and to the next foothold that is asked for.
+TEST(Swing, ClimbsStraightOutOfAHole) {
+  Swing swing;
+  swing.touches = [](const Vector3& p) {
+    return p.z() <= (ahead(p) > 0.15 && ahead(p) < 0.5 ? -1.0 : 0.0);
+  };
+  FootstepCommand step{0, kTarget, 0.1};
+  step.hole = 0.2;
+  command(swing.lane, step, kBody);
+  const auto tick = [&] {
+    swing.reachable = swing.foot().z() > -0.3;
+    swing.tick();
+  };
+  while (!swing.lane.found_no_ground) tick();
+  EXPECT_LT(swing.foot().z(), -0.3);
+  EXPECT_EQ(swing.lane.phase, LegPhase::lift);
+  const Vector3 bottom = swing.foot();
+  step.p_OT = kStart + 0.55 * (kTarget - kStart) / kStride;
+  command(swing.lane, step, kBody);
+  do {
+    tick();
+    EXPECT_FALSE(swing.lane.found_no_ground) << "of one tick";
+    if (swing.foot().z() < 0.0) {
+      EXPECT_LT(planar_distance(swing.foot(), bottom), 1e-3);
+    }
+    EXPECT_LT(swing.lane.v_O.z(), 1.1 * swing.params.max_rise);
+  } while (swing.lane.phase != LegPhase::transfer);
+  swing.land();
+  EXPECT_NEAR(ahead(swing.foot()), 0.55, 0.005);
+  EXPECT_FALSE(swing.lane.found_no_ground);
+}
+
+// Beside a hole, ground is not looked for as deep, and its wall is no ground.
+TEST(Swing, DoesNotStandOnTheWallOfAHole) {
+  for (const double wall : {-0.06, -9.0}) {
+    Swing swing;
+    swing.touches = [&](const Vector3& p) { return p.z() <= (ahead(p) > 0.15 ? wall : 0.0); };
+    FootstepCommand step{0, kTarget, 0.1};
+    step.depth = 0.1;
+    command(swing.lane, step, kBody);
+    while (!swing.lane.found_no_ground) swing.tick();
+    EXPECT_NEAR(swing.foot().z(), std::max(wall, -0.1), 0.005);
+    swing.lane.retreats = swing.params.max_retreats;  // then it takes what there is
+    if (wall > -1.0) swing.land();
+  }
+}
+
 // In a corner where it touches something wherever it goes: after the last try it stands.
 TEST(Swing, StandsOnWhatItTouchesWhenNothingIsLeftToTry) {
   Swing swing;

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <hexagait/footstep_gen/holes.hpp>
+#include <limits>
+
+namespace hexagait::footstep_gen {
+
+void Holes::add(const Vector2& p_O) noexcept {
+  places_[static_cast<std::size_t>(next_)] = p_O;
+  next_ = (next_ + 1) % kPlaces;
+  size_ = std::min(size_ + 1, kPlaces);
+}
+
+double Holes::distance(const Vector2& p_O, const Vector2& along_O) const noexcept {
+  constexpr double kAcross = 0.05;
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < size_; ++k) {
+    const Vector2 way = places_[static_cast<std::size_t>(k)] - p_O;
+    const double along = along_O.dot(way);
+    const double across = kAcross * (way - along * along_O).norm();
+    least = std::min(least, std::sqrt(along * along + across * across));
+  }
+  return least;
+}
+
+Vector2 direction(const Vector2& from, const Vector2& to) noexcept {
+  const double way = (to - from).norm();
+  return way > 0.0 ? Vector2((to - from) / way) : Vector2::UnitX();
+}
+
+Vector2 clear_of(const Holes& holes, const Vector2& from, const Vector2& to, const Vector2& end,
+                 double radius) noexcept {
+  const auto closer = [&](double share) { return Vector2(from + share * (to - from)); };
+  const Vector2 along = direction(from, to);
+  Vector2 best = to;
+  double farthest = 0.0;
+  const Vector2 places[] = {to, end, closer(0.75), closer(0.5), closer(0.35), closer(0.2), from};
+  for (const Vector2& place : places) {
+    const double distance = holes.distance(place, along);
+    if (distance >= radius) return place;
+    if (distance <= farthest) continue;
+    farthest = distance;
+    best = place;
+  }
+  return best;
+}
+
+}  // namespace hexagait::footstep_gen

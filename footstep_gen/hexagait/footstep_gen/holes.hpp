@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <hexagait/math/geometry.hpp>
+
+namespace hexagait::footstep_gen {
+
+/// Where feet have found no ground of late. What one leg has learnt, all others expect.
+class Holes {
+ public:
+  /// Remembers a place; if there are many, it forgets the oldest.
+  void add(const Vector2& p_O) noexcept;
+  [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
+  /// From the nearest of them to a place, with that across a direction counted by a twentieth: holes are taken
+  /// to be as wide as the robot [m]; ∞ if there is none.
+  /// @param along_O  unit vector
+  [[nodiscard]] double distance(const Vector2& p_O, const Vector2& along_O) const noexcept;
+
+ private:
+  static constexpr int kPlaces = 16;
+  std::array<Vector2, kPlaces> places_{};
+  int size_ = 0, next_ = 0;
+};
+
+/// Unit vector; along x if the places are the same.
+[[nodiscard]] Vector2 direction(const Vector2& from, const Vector2& to) noexcept;
+
+/// The foothold where ground is expected (step 5): the one asked for; if there is a hole, the end of the
+/// workspace beyond it; then places closer and closer to where the foot stands, and that itself. If there are holes
+/// everywhere, the place of these that is farthest from all holes: so the leg tries one after the other.
+/// @param from    where the foot stands [m]; as all others in odom
+/// @param to      the foothold asked for [m]
+/// @param end     the end of the workspace beyond it [m]
+/// @param radius  of a hole [m]
+[[nodiscard]] Vector2 clear_of(const Holes& holes, const Vector2& from, const Vector2& to,
+                               const Vector2& end, double radius) noexcept;
+
+}  // namespace hexagait::footstep_gen

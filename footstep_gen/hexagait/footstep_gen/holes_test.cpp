@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <hexagait/footstep_gen/holes.hpp>
+#include <limits>
+
+namespace hexagait::footstep_gen {
+namespace {
+
+// Steps from 0 to 0.4 m ahead, with a workspace that ends at 0.6 m.
+const Vector2 kFrom(0.0, 0.5), kTo(0.4, 0.5), kEnd(0.6, 0.5);
+constexpr double kRadius = 0.09;
+
+Vector2 foothold(const Holes& holes) { return clear_of(holes, kFrom, kTo, kEnd, kRadius); }
+
+TEST(Holes, ChangeNoStepThatIsClearOfThem) {
+  Holes holes;
+  EXPECT_EQ(foothold(holes), kTo);
+  EXPECT_EQ(holes.distance(kTo, Vector2::UnitX()), std::numeric_limits<double>::infinity());
+  holes.add({0.15, 0.5});
+  EXPECT_EQ(foothold(holes), kTo);
+}
+
+TEST(Holes, AreSteppedOverOrElseTheFootComesDownBeforeThem) {
+  Holes holes;
+  holes.add(kTo);
+  EXPECT_EQ(foothold(holes), kEnd);
+  holes.add(kEnd);
+  EXPECT_LT((foothold(holes) - Vector2(0.3, 0.5)).norm(), 1e-12) << "three quarters of the way";
+  holes.add(foothold(holes));
+  EXPECT_LT((foothold(holes) - Vector2(0.2, 0.5)).norm(), 1e-12) << "half of it";
+}
+
+// What the left front leg has learnt, the right one expects.
+TEST(Holes, AreTakenToBeAsWideAsTheRobot) {
+  Holes holes;
+  holes.add({0.4, -0.5});
+  EXPECT_EQ(foothold(holes), kEnd);
+  EXPECT_NEAR(holes.distance({0.4, 0.5}, Vector2::UnitX()), 0.05, 1e-12);
+  EXPECT_NEAR(holes.distance({0.4, 0.5}, Vector2::UnitY()), 1.0, 1e-12);
+}
+
+// All places are holes: the one farthest from all of them is tried, then another one.
+TEST(Holes, AreTriedOneAfterTheOtherWhereThereIsNothingElse) {
+  Holes holes;
+  for (const double x : {0.4, 0.52, 0.3, 0.2, 0.14, 0.08, 0.0}) holes.add({x, 0.5});
+  EXPECT_EQ(foothold(holes), kEnd);
+  holes.add(kEnd);
+  EXPECT_NE(foothold(holes), kEnd);
+}
+
+TEST(Holes, ForgetTheOldest) {
+  Holes holes;
+  holes.add(kTo);
+  for (int k = 0; k < 15; ++k) holes.add({-9.0, 0.5});
+  EXPECT_EQ(foothold(holes), kEnd);
+  holes.add({-9.0, 0.5});
+  EXPECT_EQ(foothold(holes), kTo);
+}
+
+TEST(Holes, MatterAlsoToAFootThatStaysWhereItIs) {
+  Holes holes;
+  holes.add(kFrom);
+  EXPECT_EQ(clear_of(holes, kFrom, kFrom, kEnd, kRadius), kEnd);
+}
+
+}  // namespace
+}  // namespace hexagait::footstep_gen
