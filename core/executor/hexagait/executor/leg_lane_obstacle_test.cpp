@@ -104,6 +104,7 @@ TEST(Swing, LetsGoOfAWallThatItRisesAlong) {
 // A hole deeper than the leg: straight up, without a wall in the way, and to the next foothold that is asked for.
 TEST(Swing, ClimbsStraightOutOfAHole) {
   Swing swing;
+  swing.params.max_rise = 1.0;
   swing.touches = [](const Vector3& p) {
     return p.z() <= (ahead(p) > 0.15 && ahead(p) < 0.5 ? -1.0 : 0.0);
   };
