@@ -30,6 +30,15 @@ class FromBody {
   Pose X_GB_;
 };
 
+// A leg on a foothold that does not hold steps before all others; if all do not, on ice, nothing changes.
+void leave_bad_footholds(gait_state::GaitInput& input, const Executor& executor) {
+  const LegSet bad = executor.bad_footholds();
+  if (bad.empty()) return;
+  const auto [least, most] = std::ranges::minmax(input.lag);
+  for (LegId i = 0; i < input.lag.size(); ++i)
+    if (bad.contains(i)) input.lag[i] += most - least + executor.stance().radius[i];
+}
+
 // Fraction of its workspace radius that a support leg may use before the base waits for it.
 constexpr double kUsableShare = 0.98;
 
@@ -204,6 +213,7 @@ gait_state::GaitInput gait_input(const PathArc& arc, const Executor& executor,
     const double behind = arc.direction[i].dot((stance.p_BC[i] - p_GF).head<2>());
     input.urgent.set(i, behind > params.urgent_share * stance.radius[i]);
   }
+  if (!X_BG) leave_bad_footholds(input, executor);
   return input;
 }
 

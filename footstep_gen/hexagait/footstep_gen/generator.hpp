@@ -14,7 +14,8 @@ namespace hexagait::footstep_gen {
 /// 0.43 of lift_time for the rise to the height at which the foot moves sideways.
 [[nodiscard]] double nominal_step_time(const SwingParams& swing, const StepParams& step) noexcept;
 
-/// The input of the gait state: lag, urgency and support of each leg.
+/// The input of the gait state: lag, urgency and support of each leg. A leg on a foothold that does not stop
+/// giving way lags more than all others, so that it steps first; not while the robot crawls.
 /// @param X_BG  pose on the commanded path for which legs step, in the body frame: while a robot
 ///              crawls its body sways about its path, and its footholds must not; null: the body's
 [[nodiscard]] gait_state::GaitInput gait_input(const heading_control::PathArc& arc,

@@ -152,6 +152,8 @@ class Executor {
   [[nodiscard]] LegSet unsure() const noexcept;
   /// Legs whose foothold gives way: the foot slides, or rolls off an edge.
   [[nodiscard]] LegSet giving_way() const { return footholds_.giving_way(); }
+  /// Legs on footholds that don't stop giving way.
+  [[nodiscard]] LegSet bad_footholds() const { return footholds_.bad(); }
   /// Weight of each foot in odometry, 0 … 1: the fraction of its load that it carries.
   [[nodiscard]] LegArray<double> footing() const noexcept;
   [[nodiscard]] PoseAdaptationInput pose_adaptation_input(const RobotState& state) const noexcept;

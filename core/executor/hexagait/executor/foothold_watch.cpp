@@ -7,7 +7,7 @@ namespace hexagait {
 
 void FootholdWatch::watch(const LegArray<Vector3>& slide_O, LegSet stand, double dt,
                           const SwingParams& params) noexcept {
-  giving_way_ = {};
+  giving_way_ = bad_ = {};
   if (slide_O.size() != ahead_O_.size()) return;
   // Exact for a foot that slides steadily within the tick.
   const double fallen = decay_share(dt / params.slide_time);
@@ -21,7 +21,7 @@ void FootholdWatch::watch(const LegArray<Vector3>& slide_O, LegSet stand, double
     }
     if (ahead_O_[i].norm() <= params.slide_distance) continue;
     waited_[i] += dt;
-    giving_way_.set(i, waited_[i] <= params.slide_patience);
+    (waited_[i] <= params.slide_patience ? giving_way_ : bad_).insert(i);
   }
 }
 

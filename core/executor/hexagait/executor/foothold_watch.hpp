@@ -28,12 +28,14 @@ class FootholdWatch {
              const SwingParams& params) noexcept;
 
   [[nodiscard]] LegSet giving_way() const { return giving_way_; }
+  /// Legs whose foothold gives way although it was waited for: they are to leave it.
+  [[nodiscard]] LegSet bad() const { return bad_; }
 
  private:
   LegArray<Vector3> ahead_O_;   ///< s − s̄ [m]
   LegArray<Vector3> before_O_;  ///< s, a tick ago [m]
   LegArray<double> waited_;     ///< how long each foothold has given way in all [s]
-  LegSet giving_way_;
+  LegSet giving_way_, bad_;
 };
 
 }  // namespace hexagait

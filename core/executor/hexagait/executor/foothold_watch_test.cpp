@@ -83,13 +83,16 @@ TEST(FootholdWatch, LosesPatienceWithAFootThatSlidesOn) {
     EXPECT_TRUE(foot.watch.giving_way().contains(2));
     static_cast<void>(foot.slide(v, 0.5 * foot.params.slide_patience + found - 2.0 * dt));
     EXPECT_TRUE(foot.watch.giving_way().contains(2));
+    EXPECT_TRUE(foot.watch.bad().empty());
     static_cast<void>(foot.slide(v, 3.0 * dt));
     EXPECT_TRUE(foot.watch.giving_way().empty());
+    EXPECT_EQ(foot.watch.bad(), LegSet(1U << 2)) << "it is to leave it";
     static_cast<void>(foot.slide(v, 5.0 * foot.params.slide_patience));
     EXPECT_TRUE(foot.watch.giving_way().empty());
 
     foot.stand.erase(2);
     static_cast<void>(foot.slide(v, dt));
+    EXPECT_TRUE(foot.watch.bad().empty());
     foot.stand.insert(2);
     EXPECT_GT(foot.slide(v, 0.5 * foot.params.slide_patience), 0.0) << "the next foothold";
   }
