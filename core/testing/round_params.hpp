@@ -13,6 +13,7 @@ inline void round_steps(RobotParams& p) {
   p.step.height = 0.10;
   p.step.level_height = 0.5;
   p.step.haste = 1.4;
+  p.step.touchdown = 2.5;
   p.step.max_height = 0.22;
   p.step.stability_margin = 0.03;
   p.step.lift_margin = 0.06;
@@ -72,7 +73,7 @@ inline void round_body(RobotParams& p) {
   p.tolerance.turn_arm = 0.5;
   p.tolerance.level_time = 4.0;
   p.tolerance.servo_stiffness = 8.0;
-  p.tolerance.gravity_time = 1.0;
+  p.tolerance.gravity_time = 0.5;
   p.tolerance.tilt_time = 5.0;
 }
 

@@ -28,4 +28,14 @@ std::vector<SafetyCheck> no_fall_and_rule_1(std::span<const Summary> walks,
   return checks;
 }
 
+std::vector<SafetyCheck> no_fall_on_rough_ground(std::span<const Summary> walks,
+                                                 double most_flight_percent, double most_lifts) {
+  std::vector<SafetyCheck> checks = no_fall(walks);
+  checks.emplace_back(worst_lifts(walks), at_most(most_lifts));
+  const Measured flight("two neighbours off the ground, mean of the walks", "% of the time",
+                        statistics::estimate(flight_percents(walks)).mean);
+  checks.emplace_back(flight, at_most(most_flight_percent));
+  return checks;
+}
+
 }  // namespace hexagait::experiments

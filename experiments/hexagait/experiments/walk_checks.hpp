@@ -73,4 +73,10 @@ template <class Range>
                                                           double most_flight_percent = 0.0,
                                                           double most_lifts = 0.0);
 
+/// The same over rough ground, with the time of two neighbours off the ground as a mean of the walks: of
+/// single walks, and of short ones, it is anything from 0.2 to 10 %.
+[[nodiscard]] std::vector<SafetyCheck> no_fall_on_rough_ground(std::span<const walk::Summary> walks,
+                                                               double most_flight_percent,
+                                                               double most_lifts);
+
 }  // namespace hexagait::experiments

@@ -25,24 +25,17 @@ double Holes::distance(const Vector2& p_O, const Vector2& along_O) const noexcep
   return least;
 }
 
-Vector2 direction(const Vector2& from, const Vector2& to) noexcept {
-  const double way = (to - from).norm();
-  return way > 0.0 ? Vector2((to - from) / way) : Vector2::UnitX();
-}
-
-Vector2 clear_of(const Holes& holes, const Vector2& from, const Vector2& to, const Vector2& end,
-                 double radius) noexcept {
+Foothold clear_of(const Holes& holes, const Vector2& from, const Vector2& to, const Vector2& end,
+                  double radius) noexcept {
   const auto closer = [&](double share) { return Vector2(from + share * (to - from)); };
-  const Vector2 along = direction(from, to);
-  Vector2 best = to;
-  double farthest = 0.0;
+  const double way = (to - from).norm();
+  const Vector2 along = way > 0.0 ? Vector2((to - from) / way) : Vector2::UnitX();
+  Foothold best{to, 0.0};
   const Vector2 places[] = {to, end, closer(0.75), closer(0.5), closer(0.35), closer(0.2), from};
   for (const Vector2& place : places) {
-    const double distance = holes.distance(place, along);
-    if (distance >= radius) return place;
-    if (distance <= farthest) continue;
-    farthest = distance;
-    best = place;
+    const double off = holes.distance(place, along);
+    if (off >= radius) return {place, off};
+    if (off > best.off) best = {place, off};
   }
   return best;
 }

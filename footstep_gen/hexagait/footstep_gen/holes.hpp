@@ -24,8 +24,10 @@ class Holes {
   int size_ = 0, next_ = 0;
 };
 
-/// Unit vector; along x if the places are the same.
-[[nodiscard]] Vector2 direction(const Vector2& from, const Vector2& to) noexcept;
+struct Foothold {
+  Vector2 p_O;  ///< [m]
+  double off;   ///< distance from the nearest hole, as Holes::distance() counts it [m]
+};
 
 /// The foothold where ground is expected (step 5): the one asked for; if there is a hole, the end of the
 /// workspace beyond it; then places closer and closer to where the foot stands, and that itself. If there are holes
@@ -34,7 +36,7 @@ class Holes {
 /// @param to      the foothold asked for [m]
 /// @param end     the end of the workspace beyond it [m]
 /// @param radius  of a hole [m]
-[[nodiscard]] Vector2 clear_of(const Holes& holes, const Vector2& from, const Vector2& to,
-                               const Vector2& end, double radius) noexcept;
+[[nodiscard]] Foothold clear_of(const Holes& holes, const Vector2& from, const Vector2& to,
+                                const Vector2& end, double radius) noexcept;
 
 }  // namespace hexagait::footstep_gen

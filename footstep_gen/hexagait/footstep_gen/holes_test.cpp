@@ -12,7 +12,7 @@ namespace {
 const Vector2 kFrom(0.0, 0.5), kTo(0.4, 0.5), kEnd(0.6, 0.5);
 constexpr double kRadius = 0.09;
 
-Vector2 foothold(const Holes& holes) { return clear_of(holes, kFrom, kTo, kEnd, kRadius); }
+Vector2 foothold(const Holes& holes) { return clear_of(holes, kFrom, kTo, kEnd, kRadius).p_O; }
 
 TEST(Holes, ChangeNoStepThatIsClearOfThem) {
   Holes holes;
@@ -62,7 +62,7 @@ TEST(Holes, ForgetTheOldest) {
 TEST(Holes, MatterAlsoToAFootThatStaysWhereItIs) {
   Holes holes;
   holes.add(kFrom);
-  EXPECT_EQ(clear_of(holes, kFrom, kFrom, kEnd, kRadius), kEnd);
+  EXPECT_EQ(clear_of(holes, kFrom, kFrom, kEnd, kRadius).p_O, kEnd);
 }
 
 }  // namespace

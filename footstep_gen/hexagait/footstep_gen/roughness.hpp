@@ -50,4 +50,17 @@ inline constexpr double kSlowFrom = 2.5;  ///< spread without haste, of the step
   return step;
 }
 
+/// The steps where the height of the ground is a guess, because the last footprints differ by more than the
+/// highest steps need. Feet touch down faster, (step 6): the ground is seldom where a slow touchdown would meet
+/// it. Strokes are longer, (step 7): the search for the ground takes more time than the way.
+/// \param spread  of the last footprints now [m]
+[[nodiscard]] inline StepParams on_guessed_ground(StepParams step, double spread) noexcept {
+  constexpr double kFrom = 0.65, kTo = 0.95, kLonger = 0.1;
+  const double from = kFrom * step.height, to = kTo * step.height;
+  const double guess = to > from ? std::clamp((spread - from) / (to - from), 0.0, 1.0) : 0.0;
+  step.touchdown = 1.0 + (step.touchdown - 1.0) * guess;
+  step.stroke *= 1.0 + kLonger * guess;
+  return step;
+}
+
 }  // namespace hexagait::footstep_gen

@@ -54,5 +54,24 @@ TEST(OnGround, IsInHasteWherePrintsDifferLittle) {
   EXPECT_EQ(on_ground(flat_feet, 0.0).haste, 1.0) << "no clearance, no haste";
 }
 
+// From a spread of 0.065 m on, all of it from 0.095 m on.
+TEST(OnGuessedGround, TouchesDownFasterAndStepsFarther) {
+  StepParams step = kStep;
+  step.stroke = 0.2, step.touchdown = 2.5;
+  for (const double spread : {0.0, 0.03, 0.064}) {
+    EXPECT_EQ(on_guessed_ground(step, spread).touchdown, 1.0) << spread;
+    EXPECT_EQ(on_guessed_ground(step, spread).stroke, 0.2) << spread;
+  }
+  EXPECT_NEAR(on_guessed_ground(step, 0.08).touchdown, 1.75, 1e-12);
+  EXPECT_NEAR(on_guessed_ground(step, 0.08).stroke, 0.21, 1e-12);
+  for (const double spread : {0.096, 0.2, 5.0}) {
+    EXPECT_NEAR(on_guessed_ground(step, spread).touchdown, 2.5, 1e-12) << spread;
+    EXPECT_NEAR(on_guessed_ground(step, spread).stroke, 0.22, 1e-12) << spread;
+  }
+  EXPECT_EQ(on_guessed_ground(step, 0.2).height, step.height);
+  step.height = 0.0;
+  EXPECT_EQ(on_guessed_ground(step, 1.0).touchdown, 1.0) << "no clearance, no guess";
+}
+
 }  // namespace
 }  // namespace hexagait::footstep_gen

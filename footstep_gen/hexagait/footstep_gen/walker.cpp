@@ -48,6 +48,8 @@ WalkerParams checked(const WalkerParams& params) {
   require_not_negative(violations, not_negative);
   require(violations, "haste", step.haste, step.haste >= 1.0 && std::isfinite(step.haste),
           "at least 1");
+  require(violations, "touchdown", step.touchdown,
+          step.touchdown >= 1.0 && std::isfinite(step.touchdown), "at least 1");
   require(violations, "level_height", step.level_height,
           step.level_height > 0.0 && step.level_height <= 1.0, "greater than 0 and at most 1");
   violations.throw_if_any();
@@ -389,21 +391,21 @@ void Walker::learn_holes() noexcept {
 
 // (step 5)
 void Walker::keep_clear_of_holes(FootstepCommand& step) const noexcept {
-  step.hole = params_.step.max_height;
+  step.depth.at_end = params_.step.max_height;
   if (holes_.empty()) return;
   const LegId i = step.leg;
   const double radius = executor_.stance().radius[i];
   const Vector3 end_O = record_.state.X_OB * aep(record_.arc, i, kEndOfReach * radius);
-  const Vector2 from = record_.state.print_O[i].head<2>(), to = step.p_OT.head<2>();
-  step.p_OT.head<2>() = clear_of(holes_, from, to, end_O.head<2>(), kHole * radius);
-  const double off = holes_.distance(step.p_OT.head<2>(), direction(from, to));
-  if (off < kBeside * radius) step.depth = params_.step.height;
+  const Foothold place = clear_of(holes_, record_.state.print_O[i].head<2>(), step.p_OT.head<2>(),
+                                  end_O.head<2>(), kHole * radius);
+  step.p_OT.head<2>() = place.p_O;
+  if (place.off < kBeside * radius) step.depth.beside_hole = params_.step.height;
 }
 
 void Walker::command() noexcept {
   learn_holes();
-  const double half_step = walks() ? 0.5 * params_.step.stroke : 0.0;
   StepParams step = steps_here();
+  const double half_step = walks() ? 0.5 * step.stroke : 0.0;
   record_.path_to_come = path_to_come(record_.arc, executor_, half_step, path_pose());
   // With a leg lost the base waits for balance more often, and feet would land too far ahead of it.
   if (!lost_legs().empty())
@@ -442,8 +444,12 @@ StepParams Walker::steps_here() const noexcept {
   StepParams step = params_.step;
   // The period of a wave is that of its longest step: shorter ones would only wait.
   const bool wave = params_.stepper.stepping == gait_state::Stepping::wave;
+  const bool plain = wave || crawls() || model_->legs[0].has_two_joints();
+  if (plain)
+    step.haste = step.touchdown = 1.0;
+  else
+    step = on_guessed_ground(step, height_spread(record_.state.print_O));
   if (!wave) step = on_ground(step, spread_);
-  if (wave || crawls() || model_->legs[0].has_two_joints()) step.haste = 1.0;
   // A foot whose drives lag by more of its swing runs into the ground, or seems blocked.
   const double lag = executor_.drive_lag() / (kHastyLag * params_.executor.swing.lift_time);
   step.haste = 1.0 + (step.haste - 1.0) * std::clamp(2.0 - lag, 0.0, 1.0);

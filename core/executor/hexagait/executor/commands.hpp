@@ -9,6 +9,19 @@
 
 namespace hexagait {
 
+/// How far below its target a foot looks for ground. Deeper is a hole: the foot rises straight up, and comes
+/// down at the target again, which is to be another one by then.
+struct SearchDepth {
+  double at_end = std::numeric_limits<double>::infinity();  ///< where the leg's reach ends [m]
+  double beside_hole =
+      std::numeric_limits<double>::infinity();  ///< finite where a hole is known [m]
+
+  /// Contact below the ground that is expected may be that with the wall of a hole.
+  [[nodiscard]] bool hole_known() const {
+    return beside_hole < std::numeric_limits<double>::infinity();
+  }
+};
+
 /// The footstep of one leg: lift the foot, carry it over, put it down ([FG16] II-C). Streamed by a
 /// gait generator; action::Footstep is that of a script.
 ///
@@ -20,11 +33,9 @@ struct FootstepCommand {
   double profile_height = 0.0;     ///< clearance above the higher of start and target [m]
   /// How many times as fast as SwingParams says, (swing 4). Of a step that has begun it stays.
   double haste = 1.0;
-  /// Where the leg ends farther below the target than this, and there is no ground, is a hole: the foot
-  /// rises straight up, and comes down at the target again, which is to be another one by then [m].
-  double hole = std::numeric_limits<double>::infinity();
-  /// Beside holes: farther below the target than this ground is not looked for [m].
-  double depth = std::numeric_limits<double>::infinity();
+  /// How many times SwingParams::touchdown_speed the foot has at the target, (step 6).
+  double touchdown = 1.0;
+  SearchDepth depth = {};
 };
 
 /// The input of a pose adaptation.

@@ -11,9 +11,10 @@ namespace {
 
 constexpr double kForgets = 10.0;  // λ and σ², in times of τ
 constexpr double kKnown = 1.25;  // λ is known once r has varied for so long as much as it is, of τ
-constexpr double kNoise = 0.1;   // σ₀ [rad]
-constexpr double kMost = 0.6;    // more in one tick is an impact [rad]
-constexpr double kTrusted = 0.05;  // odometry is, within this [rad]
+constexpr double kNoise = 0.3;   // σ₀ [rad]
+constexpr double kAmiss = 0.15;    // ρ₀
+constexpr double kMost = 0.6;      // more in one tick is an impact [rad]
+constexpr double kTrusted = 0.08;  // odometry is, within this [rad]
 constexpr int kSteady = 3;         // feet
 
 // J⁻ᵀ e and J⁻ᵀ q̇* of (odometry 6).
@@ -67,15 +68,16 @@ Vector3 GravitySense::update(const RobotModel& model, const RobotState& state,
 
   const Vector3 up_B = state.X_OB.R.row(2);
   Vector3 off = s - lag() * r;
-  const double along = off.dot(up_B);
-  off -= along * up_B;
+  const double amiss = (up_B + off).norm() - 1.0;
+  off -= off.dot(up_B) * up_B;
   if (const double size = off.norm(); size > kMost) off *= kMost / size;
   mean_ += fast * (off - mean_);
-  noise2_ += slow * ((off - mean_).squaredNorm() + along * along - noise2_);
+  noise2_ += slow * ((off - mean_).squaredNorm() - noise2_);
+  amiss2_ += slow * (amiss * amiss - amiss2_);
   const double mean = mean_.norm();
   if (mean <= kTrusted) return Vector3::Zero();
-  const double noise = noise2_ / (kNoise * kNoise);
-  return fast * (1.0 - kTrusted / mean) / (1.0 + noise * noise) * off;
+  const double doubt = noise2_ / (kNoise * kNoise) + amiss2_ / (kAmiss * kAmiss);
+  return fast * (1.0 - kTrusted / mean) / (1.0 + doubt * doubt) * off;
 }
 
 }  // namespace hexagait

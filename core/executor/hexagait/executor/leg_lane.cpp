@@ -35,6 +35,12 @@ void enter(LegLane& lane, LegPhase phase) {
   lane.time = 0.0;
 }
 
+// The foot is to leave the ground where it is.
+void rise_from_here(LegLane& lane, const Pose& X_OB) {
+  lane.p_OL = X_OB * lane.p_BF;
+  lane.rises_from = lane.p_OL.z();
+}
+
 // Begins a step at the present position of the foot.
 void begin_step(LegLane& lane, LegPhase phase, const Pose& X_OB) {
   enter(lane, phase);
@@ -44,8 +50,7 @@ void begin_step(LegLane& lane, LegPhase phase, const Pose& X_OB) {
   lane.reach_fraction = 1.0;
   lane.beside = 0.0;
   lane.transfer_clock = 0.0;
-  lane.p_OL = X_OB * lane.p_BF;
-  lane.rises_from = lane.p_OL.z();
+  rise_from_here(lane, X_OB);
 }
 
 // A tick of a ramp of that time.
@@ -104,9 +109,9 @@ void stop_sideways(LegLane& lane, double dt, Vector3& way_O) {
 //     u₁² = u_t² + a h₁,   h₁ = h₀ ∓ ½ (u₀ + u₁) dt                                      (swing 3)
 //
 // of which u₁ is solved for. So the foot has this speed at this height, whatever the period.
-double descent_speed(double off, double u0, double sign, double bound, double dt,
+double descent_speed(double off, double u0, double sign, double slow, double bound, double dt,
                      const SwingParams& params) {
-  const double a = params.vertical_acceleration, slow = params.touchdown_speed;
+  const double a = params.vertical_acceleration;
   if (off + sign * 0.5 * (u0 + slow) * dt <= 0.0) return slow;
   const double half = 0.25 * a * dt, h = off + sign * 0.5 * u0 * dt;
   return std::min(bound, sign * half + std::sqrt(half * half + slow * slow + a * h));
@@ -115,8 +120,11 @@ double descent_speed(double off, double u0, double sign, double bound, double dt
 void move_down(LegLane& lane, double height, double dt, const SwingParams& params, Vector3& way_O) {
   const double above = height - lane.step.p_OT.z(), off = std::abs(above) - params.touchdown_margin;
   const double u0 = std::max(0.0, -lane.v_O.z());
-  const double speed = above > 0.0 ? descent_speed(off, u0, -1.0, params.descent_speed, dt, params)
-                                   : descent_speed(off, u0, 1.0, params.search_speed, dt, params);
+  const double most_down = params.descent_speed;
+  const double slow = faster(params.touchdown_speed, lane.step.touchdown, most_down);
+  const double search = faster(params.search_speed, lane.step.touchdown, most_down);
+  const double speed = above > 0.0 ? descent_speed(off, u0, -1.0, slow, most_down, dt, params)
+                                   : descent_speed(off, u0, 1.0, slow, search, dt, params);
   const double most = params.vertical_acceleration * dt;
   const double v = lane.v_O.z(), change = std::clamp(-speed - v, -most, most);
   move(lane, 2, {(v + 0.5 * change) * dt, v + change, change / dt}, way_O);
@@ -223,8 +231,7 @@ void unload(LegLane& lane, double dt, const Pose& X_OB, const SwingParams& param
   ramp(lane.load, 0.0, dt, params.unload_time);
   if (lane.load > 0.0) return;
   if (lane.after_unload != LegPhase::lift) return enter(lane, lane.after_unload);
-  lane.p_OL = X_OB * lane.p_BF;
-  lane.rises_from = lane.p_OL.z();
+  rise_from_here(lane, X_OB);
   lane.apex_z = std::max(lane.p_OL.z(), lane.step.p_OT.z()) + lane.step.profile_height;
   enter(lane, LegPhase::lift);
 }
@@ -273,8 +280,8 @@ Vector3 descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X
   lane.cleared = lane.cleared || !sensed.contact;
   const double below = lane.step.p_OT.z() - height;
   // Contact this far down is that with the wall of a hole.
-  const bool wall =
-      std::isfinite(lane.step.depth) && below > params.commit_height && !gives_up(lane, params);
+  const SearchDepth& depth = lane.step.depth;
+  const bool wall = depth.hole_known() && below > params.commit_height && !gives_up(lane, params);
   const bool found = sensed.contact && lane.cleared;
   if (found && wall) return climb_out(lane, sensed, X_OB), way_O;
   if (found) return land(lane, dt, params), way_O;
@@ -286,7 +293,7 @@ Vector3 descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X
     move(lane, 2, braking_tick(lane.v_O.z(), lane.a_O.z(), dt), way_O);
     return way_O;
   }
-  const bool deep = below > lane.step.depth || (!sensed.reachable && below > lane.step.hole);
+  const bool deep = below > depth.beside_hole || (!sensed.reachable && below > depth.at_end);
   const bool in_a_hole = deep && sensed.tracking_error <= params.blocked_error;
   if (in_a_hole) return climb_out(lane, sensed, X_OB), way_O;
   // What is in the way is not pushed: the robot would stand on its shin.

@@ -109,7 +109,7 @@ TEST(Swing, ClimbsStraightOutOfAHole) {
     return p.z() <= (ahead(p) > 0.15 && ahead(p) < 0.5 ? -1.0 : 0.0);
   };
   FootstepCommand step{0, kTarget, 0.1};
-  step.hole = 0.2;
+  step.depth.at_end = 0.2;
   command(swing.lane, step, kBody);
   const auto tick = [&] {
     swing.reachable = swing.foot().z() > -0.3;
@@ -141,7 +141,7 @@ TEST(Swing, DoesNotStandOnTheWallOfAHole) {
     Swing swing;
     swing.touches = [&](const Vector3& p) { return p.z() <= (ahead(p) > 0.15 ? wall : 0.0); };
     FootstepCommand step{0, kTarget, 0.1};
-    step.depth = 0.1;
+    step.depth.beside_hole = 0.1;
     command(swing.lane, step, kBody);
     for (int k = 0; k < 5000 && !swing.lane.found_no_ground; ++k) swing.tick();
     ASSERT_TRUE(swing.lane.found_no_ground);

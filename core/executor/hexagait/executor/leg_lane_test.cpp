@@ -229,6 +229,27 @@ TEST(Swing, TouchesDownWhereTheGroundIs) {
   }
 }
 
+// (step 6) The speed at the height that is expected, and that of the search below, so many times as fast; neither
+// faster than the descent.
+TEST(Swing, TouchesDownFasterWhereTheHeightIsAGuess) {
+  for (const double times : {1.0, 1.5, 2.5}) {
+    Swing swing;
+    FootstepCommand step{0, kTarget, 0.1};
+    step.touchdown = times;
+    command(swing.lane, step, kBody);
+    double there = 0.0, below = 0.0;
+    swing.touches = [&](const Vector3& p) { return p.z() <= -0.08 || p == kStart; };
+    swing.land([&] {
+      const double z = swing.foot().z(), down = -swing.lane.v_O.z();
+      if (std::abs(z) < 0.5 * swing.params.touchdown_margin) there = std::max(there, down);
+      if (z < -0.07) below = std::max(below, down);
+    });
+    const double most = swing.params.descent_speed;
+    EXPECT_NEAR(there, std::min(times * swing.params.touchdown_speed, most), 1e-9) << times;
+    EXPECT_NEAR(below, std::min(times * swing.params.search_speed, most), 1e-9) << times;
+  }
+}
+
 // The ground is gone: off the ground after lost_time, unloaded, and after regain_time the foot goes
 // down for it, straight.
 TEST(LostContact, CountsAsOffTheGroundAndThenGoesDownToFindIt) {

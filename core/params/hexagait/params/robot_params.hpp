@@ -29,6 +29,9 @@ struct StepParams {
   /// How many times as fast as SwingParams says feet swing on level ground, by (step 3); at least 1.
   /// Higher: faster, until the joints limit it; feet run into edges harder.
   double haste = kDerived;
+  /// How many times SwingParams::touchdown_speed feet have at the expected ground where its height is a
+  /// guess, by (step 6); at least 1. Higher: faster over rough ground, and harder impacts there.
+  double touchdown = kDerived;
   /// Clearance added per metre by which another foot's last footprint is higher [m/m]: after one
   /// step in the ground, others are likely. 0: the foot collides with edges higher than the
   /// clearance.

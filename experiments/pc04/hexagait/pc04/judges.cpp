@@ -322,12 +322,6 @@ std::vector<Verdict> judge_fig10(const Summary& s, const std::vector<Summary>& o
   std::ranges::copy_if(all, std::back_inserter(over), gets_over);
   const double off_curve =
       worst(over, [](const Summary& x) { return 100.0 * x.lateral_max / x.distance; });
-  // Of single walks, and of short ones, the share is anything from 0.2 to 6 %.
-  const Measured flight("two neighbours off the ground, mean of the walks", "% of the time",
-                        statistics::estimate(flight_percents(all)).mean);
-  std::vector<SafetyCheck> safety = no_fall(all);
-  safety.emplace_back(worst_lifts(all), at_most(3.0));
-  safety.emplace_back(flight, at_most(5.0));
   return {
       {.claim = "The robot gets over abrupt terrain without a map of it",
        .safety = no_fall(all),
@@ -339,7 +333,7 @@ std::vector<Verdict> judge_fig10(const Summary& s, const std::vector<Summary>& o
                              100.0 * s.lateral_max, s.heading_max * 180.0 / std::numbers::pi)},
       {.claim =
            "Hardly a leg is lifted beside one that is off the ground, though feet bounce and slide",
-       .safety = safety,
+       .safety = no_fall_on_rough_ground(all, 5.0, 3.0),
        .checks = {{worst_flight(all), at_most(5.0)}},
        .remark = fmt::format("{} walks; in that of the figure {} lifts, and legs touch the ground "
                              "beside their feet for {:.2f} s",
