@@ -122,7 +122,10 @@ void move_down(LegLane& lane, double height, double dt, const SwingParams& param
   const double u0 = std::max(0.0, -lane.v_O.z());
   const double most_down = params.descent_speed;
   const double slow = faster(params.touchdown_speed, lane.step.touchdown, most_down);
-  const double search = faster(params.search_speed, lane.step.touchdown, most_down);
+  // Deeper the body has to come down as well, and a leg that is ahead of it seems to be over a hole.
+  const bool deep = -above > lane.step.profile_height;
+  const double times = deep ? 1.0 : lane.step.touchdown;
+  const double search = faster(params.search_speed, times, most_down);
   const double speed = above > 0.0 ? descent_speed(off, u0, -1.0, slow, most_down, dt, params)
                                    : descent_speed(off, u0, 1.0, slow, search, dt, params);
   const double most = params.vertical_acceleration * dt;

@@ -230,23 +230,25 @@ TEST(Swing, TouchesDownWhereTheGroundIs) {
 }
 
 // (step 6) The speed at the height that is expected, and that of the search below, so many times as fast; neither
-// faster than the descent.
+// faster than the descent. Deeper than the clearance the search is as slow as ever.
 TEST(Swing, TouchesDownFasterWhereTheHeightIsAGuess) {
   for (const double times : {1.0, 1.5, 2.5}) {
     Swing swing;
     FootstepCommand step{0, kTarget, 0.1};
     step.touchdown = times;
     command(swing.lane, step, kBody);
-    double there = 0.0, below = 0.0;
-    swing.touches = [&](const Vector3& p) { return p.z() <= -0.08 || p == kStart; };
+    double there = 0.0, below = 0.0, deep = 0.0;
+    swing.touches = [&](const Vector3& p) { return p.z() <= -0.16 || p == kStart; };
     swing.land([&] {
       const double z = swing.foot().z(), down = -swing.lane.v_O.z();
       if (std::abs(z) < 0.5 * swing.params.touchdown_margin) there = std::max(there, down);
-      if (z < -0.07) below = std::max(below, down);
+      if (z < -0.07 && z > -0.1) below = std::max(below, down);
+      if (z < -0.14) deep = std::max(deep, down);
     });
     const double most = swing.params.descent_speed;
     EXPECT_NEAR(there, std::min(times * swing.params.touchdown_speed, most), 1e-9) << times;
     EXPECT_NEAR(below, std::min(times * swing.params.search_speed, most), 1e-9) << times;
+    EXPECT_NEAR(deep, swing.params.search_speed, 1e-9) << times;
   }
 }
 
