@@ -22,9 +22,9 @@ namespace hexagait {
 ///     dû/dt = w (s − λ r) / τ_n,   τ_n = τ (1 + (σ²/σ₀² + ρ²/ρ₀²)²)                     (odometry 7)
 ///
 /// with w = max(0, 1 − ε/|mean of s − λ r over τ|): odometry is trusted within ε = 0.08 rad. σ² is the variance
-/// of s − λ r, ρ² the mean of (|û + s − λ r| − 1)², since up is a unit vector however far off û is: dry friction,
-/// and servos that take no effort, make that large, and then the joints say nothing. Nothing is corrected while the robot tips over less than three feet, nor
-/// before λ is known well enough for the speed of the joints.
+/// of s − λ r, ρ² the mean of (|û + s − λ r| − 1)², since up is a unit vector however far off û is: dry friction, and
+/// servos that take no effort, make that large, and then the joints say nothing. Nothing is corrected while the
+/// robot tips over less than three feet, nor before λ is known well enough for the speed of the joints.
 ///
 /// K/(m g) need not be known well: it scales the rate of the correction, and ε. A value.
 class GravitySense {
