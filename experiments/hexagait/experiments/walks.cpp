@@ -254,11 +254,16 @@ Verdict judge_terrain(std::span<const Walk> walks) {
           .remark = fmt::format("{:.3f} m/s", statistics::estimate(speed).mean)};
 }
 
-// Of 60 walks over boxes of 10 cm with the plant real, one falls and one gets stuck.
 Verdict judge_plant(std::span<const Walk> walks) {
   Verdict verdict = judge_terrain(walks);
-  const auto share = [&](auto is) { return share_of(walks, is); };
   verdict.safety = no_fall(summaries(walks));
+  return verdict;
+}
+
+// Of 60 walks over boxes of 10 cm with the plant real, one falls and one gets stuck.
+Verdict judge_real_plant(std::span<const Walk> walks) {
+  Verdict verdict = judge_plant(walks);
+  const auto share = [&](auto is) { return share_of(walks, is); };
   verdict.safety.front() = {
       {"walks that fell", share([](const Walk& w) { return w.summary.fell; })}, at_most(5.0)};
   verdict.checks.front() = {
@@ -314,8 +319,10 @@ Outcome walks(const ExperimentContext& context, figures::StagedFiles& files) {
   for (const std::size_t k : {3U, 4U})
     verdicts.push_back(judged_in_full_only(judge_terrain(groups[k]), brief));
   verdicts.push_back(judged_in_full_only(judge_sharp_changes(groups[6]), brief));
-  for (std::size_t k = 7; k < groups.size(); ++k)
-    verdicts.push_back(judged_in_full_only(judge_plant(groups[k]), brief));
+  if (groups.size() > 7) {
+    verdicts.push_back(judged_in_full_only(judge_real_plant(groups[7]), brief));
+    verdicts.push_back(judged_in_full_only(judge_plant(groups[8]), brief));
+  }
   verdicts.push_back(judged_in_full_only(judge_first_walk(groups[5]), brief));
   return {.verdicts = verdicts,
           .settings = {{"robot", context.robot->name}, {"walks", std::to_string(count)}}};

@@ -64,6 +64,7 @@ struct JudgedWalk {
 
 /// The same with a plant that is not ideal: no fall, and where it ends.
 [[nodiscard]] Verdict judge_plant(std::span<const JudgedWalk> walks);
+[[nodiscard]] Verdict judge_real_plant(std::span<const JudgedWalk> walks);
 
 /// The walk of `./run`, an arc over boxes, of several seeds.
 [[nodiscard]] Verdict judge_first_walk(std::span<const JudgedWalk> walks);

@@ -126,6 +126,12 @@ TEST(JudgePlant, WantsAllToArriveWithoutAFall) {
   EXPECT_EQ(bench.word([](auto& s) { s.arrived = false; }), "FAILS");
 }
 
+TEST(JudgeRealPlant, WantsNearlyAllToArriveAndNoFault) {
+  const Bench bench{judge_real_plant};
+  bench.holds_unless_it_falls_or_stops();
+  EXPECT_EQ(bench.word([](auto& s) { s.arrived = false; }), "FAILS");
+}
+
 // Flights and lost contacts are expected as many as they are: neither more nor less goes unnoticed.
 TEST(JudgeFirstWalk, WantsThePathAndAccountsForFlightsAndLosses) {
   const auto word = [](auto change) {
