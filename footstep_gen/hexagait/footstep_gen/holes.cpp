@@ -6,6 +6,12 @@
 #include <limits>
 
 namespace hexagait::footstep_gen {
+namespace {
+
+// Of the radius: so far off a hole a foot on either side of it stands well, and no place is sought behind it.
+constexpr double kWellClear = 1.4;
+
+}  // namespace
 
 void Holes::add(const Vector2& p_O) noexcept {
   places_[static_cast<std::size_t>(next_)] = p_O;
@@ -32,6 +38,10 @@ Foothold clear_of(const Holes& holes, const Vector2& from, const Vector2& to, co
   const Vector2 along = way > 0.0 ? Vector2((to - from) / way) : Vector2::UnitX();
   Foothold best{to, 0.0};
   const Vector2 places[] = {to, end, closer(0.75), closer(0.5), closer(0.35), closer(0.2), from};
+  for (const Vector2& place : {to, end}) {
+    const double off = holes.distance(place, along);
+    if (off >= kWellClear * radius) return {place, off};
+  }
   for (const Vector2& place : places) {
     const double off = holes.distance(place, along);
     if (off >= radius) return {place, off};

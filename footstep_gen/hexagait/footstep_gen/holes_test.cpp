@@ -32,6 +32,15 @@ TEST(Holes, AreSteppedOverOrElseTheFootComesDownBeforeThem) {
   EXPECT_LT((foothold(holes) - Vector2(0.2, 0.5)).norm(), 1e-12) << "half of it";
 }
 
+// A step that ends just off a hole ends on its edge: the far side is better, but no place behind it is.
+TEST(Holes, AreSteppedOverWhereAFootWouldStandAtTheirEdge) {
+  Holes holes;
+  holes.add({kTo.x() - 1.2 * kRadius, 0.5});
+  EXPECT_EQ(foothold(holes), kEnd);
+  holes.add({kEnd.x() + 0.5 * kRadius, 0.5});
+  EXPECT_EQ(foothold(holes), kTo) << "outside the radius of both";
+}
+
 // What the left front leg has learnt, the right one expects.
 TEST(Holes, AreTakenToBeAsWideAsTheRobot) {
   Holes holes;

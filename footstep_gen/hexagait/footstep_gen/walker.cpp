@@ -22,7 +22,7 @@ constexpr double kPatience = 1.5;    // of a step all tries of which fail: then 
 constexpr double kMostToCome = 0.5;  // of half a step
 constexpr double kMostLean = 0.5;    // of the smallest workspace radius
 constexpr double kLeanRate = 3.0;    // of the rate at which the body tilts
-constexpr double kEndOfReach = 0.9, kHole = 0.5, kBeside = 1.0;  // of the workspace radius
+constexpr double kHole = 0.5, kBeside = 1.0;  // of the workspace radius
 constexpr double kHastyLag = 0.1;  // of the time of a lift: drives that are prompt enough for haste
 
 void check_stepping(Violations& violations, const gait_state::StepperParams& stepper) {
@@ -390,12 +390,12 @@ void Walker::learn_holes() noexcept {
 }
 
 // (step 5)
-void Walker::keep_clear_of_holes(FootstepCommand& step) const noexcept {
+void Walker::keep_clear_of_holes(FootstepCommand& step, double to_come) const noexcept {
   step.depth.at_end = params_.step.max_height;
   if (holes_.empty()) return;
   const LegId i = step.leg;
   const double radius = executor_.stance().radius[i];
-  const Vector3 end_O = record_.state.X_OB * aep(record_.arc, i, kEndOfReach * radius);
+  const Vector3 end_O = record_.state.X_OB * aep(record_.arc, i, radius + to_come);
   const Foothold place = clear_of(holes_, record_.state.print_O[i].head<2>(), step.p_OT.head<2>(),
                                   end_O.head<2>(), kHole * radius);
   step.p_OT.head<2>() = place.p_O;
@@ -415,10 +415,10 @@ void Walker::command() noexcept {
     if (lost_legs().contains(i)) continue;
     const bool in_air = executor_.legs()[i].phase != LegPhase::support;
     if (!in_air && !record_.lifts.contains(i)) continue;
-    record_.footsteps[i] =
-        footstep(*model_, executor_.stance(), record_.arc, record_.state, i, half_step,
-                 share_to_come(i) * record_.path_to_come, step, path_pose());
-    if (!crawls()) keep_clear_of_holes(record_.footsteps[i]);
+    const double to_come = share_to_come(i) * record_.path_to_come;
+    record_.footsteps[i] = footstep(*model_, executor_.stance(), record_.arc, record_.state, i,
+                                    half_step, to_come, step, path_pose());
+    if (!crawls()) keep_clear_of_holes(record_.footsteps[i], to_come);
     executor_.command(record_.footsteps[i], record_.state);
   }
   // While it crawls its footholds keep to the path; the body follows them.

@@ -125,7 +125,7 @@ class Walker {
   [[nodiscard]] Vector2 way_for_waiting() const noexcept;
   void feel_roughness() noexcept;
   void learn_holes() noexcept;
-  void keep_clear_of_holes(FootstepCommand& step) const noexcept;
+  void keep_clear_of_holes(FootstepCommand& step, double to_come) const noexcept;
   [[nodiscard]] StepParams steps_here() const noexcept;
   [[nodiscard]] const Pose* path_pose() const noexcept { return crawls() ? &X_BG_ : nullptr; }
   [[nodiscard]] double share_to_come(LegId leg) const noexcept;

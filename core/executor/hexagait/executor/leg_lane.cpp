@@ -2,38 +2,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <hexagait/executor/foothold_search.hpp>
+#include <hexagait/executor/detail/foot_motion.hpp>
+#include <hexagait/executor/detail/reflexes.hpp>
 #include <hexagait/executor/leg_lane.hpp>
 #include <hexagait/executor/tick_motion.hpp>
 
 namespace hexagait {
 namespace {
 
-// The next foothold that is tried, of the way there.
-constexpr double kCloser = 0.6;
 // Of the way by which a foot is off its set point when it is blocked: it carries load.
 constexpr double kCarries = 0.1;
-// Of the search for a foothold, in times that a foot moves back in a retreat.
-constexpr double kSearchWidth = 2.0;
 // Deceleration of a foot that coasts, of that of the descent: as hard as a swing brakes at the end of its
 // way, so that it does not run into the end of a joint beyond.
 constexpr double kCoasting = 2.0;
-
-// So many times a speed, but no more than the joints allow.
-double faster(double speed, double times, double most) {
-  return std::min(times * speed, std::max(speed, most));
-}
 
 // Has a timer that counts in control periods reached its time?
 bool elapsed(double time, double limit) { return time > limit - kTimeTolerance; }
 
 // A tick's share of a ramp that ends in the tick that is nearest to its time.
 double tick_share(double dt, double time) { return 1.0 / std::max(1.0, std::round(time / dt)); }
-
-void enter(LegLane& lane, LegPhase phase) {
-  lane.phase = phase;
-  lane.time = 0.0;
-}
 
 // The foot is to leave the ground where it is.
 void rise_from_here(LegLane& lane, const Pose& X_OB) {
@@ -60,79 +47,6 @@ void ramp(double& value, double target, double dt, double time) {
   value += std::clamp(target - value, -step, step);
 }
 
-double height_of(const LegLane& lane, const Pose& X_OB) {
-  return X_OB.R.row(2).dot(lane.p_BF) + X_OB.p.z();
-}
-
-// Time left for the sideways motion over a distance [s].
-double time_to_go(const LegLane& lane, double distance, const SwingParams& params) {
-  return std::max(params.transfer_time - lane.transfer_clock,
-                  kMinimumJerkPeak * distance / params.max_speed);
-}
-
-// Horizontal displacement from the foot to the foothold [m].
-Vector2 way_to_go(const LegLane& lane, const Pose& X_OB) {
-  const Vector3 p_OF = X_OB * lane.p_BF;
-  const Vector3 step = lane.step.p_OT - lane.p_OL;
-  Vector2 target = (lane.p_OL + lane.reach_fraction * step).head<2>();
-  const double length = step.head<2>().norm();
-  if (lane.beside != 0.0 && length > 0.0)
-    target += lane.beside / length * Vector2(-step.y(), step.x());
-  return target - p_OF.head<2>();
-}
-
-// Moves the foot along one axis of odom.
-void move(LegLane& lane, int axis, const AxisMotion& motion, Vector3& way_O) {
-  way_O[axis] += motion.way;
-  lane.v_O[axis] = motion.v;
-  lane.a_O[axis] = motion.a;
-}
-
-void move_to(LegLane& lane, int axis, double error, double time_left, double dt, Vector3& way_O) {
-  move(lane, axis, minimum_jerk_tick(error, lane.v_O[axis], lane.a_O[axis], time_left, dt), way_O);
-}
-
-void move_sideways(LegLane& lane, const Vector2& way, double dt, const SwingParams& params,
-                   Vector3& way_O) {
-  const double T = time_to_go(lane, way.norm(), params);
-  for (int k = 0; k < 2; ++k) move_to(lane, k, way[k], T, dt, way_O);
-  lane.transfer_clock += dt;
-}
-
-void stop_sideways(LegLane& lane, double dt, Vector3& way_O) {
-  for (int k = 0; k < 2; ++k) move(lane, k, braking_tick(lane.v_O[k], lane.a_O[k], dt), way_O);
-}
-
-// Speed of the descent at the end of the tick, u₁ > 0. Around the expected ground it is slow;
-// towards that zone it falls, and below it rises, with the height h off its edge:
-//
-//     u₁² = u_t² + a h₁,   h₁ = h₀ ∓ ½ (u₀ + u₁) dt                                      (swing 3)
-//
-// of which u₁ is solved for. So the foot has this speed at this height, whatever the period.
-double descent_speed(double off, double u0, double sign, double slow, double bound, double dt,
-                     const SwingParams& params) {
-  const double a = params.vertical_acceleration;
-  if (off + sign * 0.5 * (u0 + slow) * dt <= 0.0) return slow;
-  const double half = 0.25 * a * dt, h = off + sign * 0.5 * u0 * dt;
-  return std::min(bound, sign * half + std::sqrt(half * half + slow * slow + a * h));
-}
-
-void move_down(LegLane& lane, double height, double dt, const SwingParams& params, Vector3& way_O) {
-  const double above = height - lane.step.p_OT.z(), off = std::abs(above) - params.touchdown_margin;
-  const double u0 = std::max(0.0, -lane.v_O.z());
-  const double most_down = params.descent_speed;
-  const double slow = faster(params.touchdown_speed, lane.step.touchdown, most_down);
-  // Deeper the body has to come down as well, and a leg that is ahead of it seems to be over a hole.
-  const bool deep = -above > lane.step.profile_height;
-  const double times = deep ? 1.0 : lane.step.touchdown;
-  const double search = faster(params.search_speed, times, most_down);
-  const double speed = above > 0.0 ? descent_speed(off, u0, -1.0, slow, most_down, dt, params)
-                                   : descent_speed(off, u0, 1.0, slow, search, dt, params);
-  const double most = params.vertical_acceleration * dt;
-  const double v = lane.v_O.z(), change = std::clamp(-speed - v, -most, most);
-  move(lane, 2, {(v + 0.5 * change) * dt, v + change, change / dt}, way_O);
-}
-
 // Takes load from this tick on.
 void land(LegLane& lane, double dt, const SwingParams& params) {
   enter(lane, LegPhase::support);
@@ -141,70 +55,6 @@ void land(LegLane& lane, double dt, const SwingParams& params) {
   lane.without_contact = 0.0;
   lane.confirmed = lane.believed = false;
   ramp(lane.load, 1.0, dt, params.load_time);
-}
-
-// Ends a try. The set point lets go of what blocks the foot: it would push with more than 1 kN and roll the body.
-void let_go(LegLane& lane, const LegSensed& sensed) {
-  lane.p_BF += sensed.off;
-  lane.v_O.setZero();
-  lane.a_O.setZero();
-  lane.transfer_clock = 0.0;
-  lane.bounces = 0;
-  lane.haste = 1.0;
-}
-
-// After the last try the foot goes back to where it stood, and if it finds no ground there either, it searches.
-void search_elsewhere(LegLane& lane, const SwingParams& params) {
-  if (lane.retreats < params.max_retreats) return;
-  if (lane.retreats == params.max_retreats) {
-    lane.reach_fraction = 0.0;
-    return;
-  }
-  const FootholdTry next = searched_foothold(lane.retreats - params.max_retreats - 1);
-  lane.reach_fraction = next.along;
-  lane.beside = next.beside * kSearchWidth * params.retreat_back;
-}
-
-// There is no ground within reach: straight up again, so that the foot meets no wall of the hole. Where it
-// tries next, who commands the footsteps knows best.
-void climb_out(LegLane& lane, const LegSensed& sensed, const Pose& X_OB) {
-  enter(lane, LegPhase::lift);
-  let_go(lane, sensed);
-  lane.found_no_ground = true;
-  lane.rises_from = height_of(lane, X_OB);
-  ++lane.retreats;
-  lane.reach_fraction = 1.0;
-  lane.beside = 0.0;
-}
-
-// Moves back, away from the foothold, and up. The next attempt is higher and, after two, shorter.
-void retreat(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, const SwingParams& params) {
-  enter(lane, LegPhase::retreat);
-  let_go(lane, sensed);
-  const Vector2 p_OF = (X_OB * lane.p_BF).head<2>(), back = p_OF - lane.step.p_OT.head<2>();
-  const double distance = back.norm();
-  lane.back_O = p_OF;
-  if (distance != 0.0) lane.back_O += back * (params.retreat_back / distance);  // NaN stays one
-  if (++lane.retreats > 2) lane.reach_fraction *= kCloser;
-  if (lane.retreats < params.max_retreats) lane.apex_z += params.retreat_up;
-  search_elsewhere(lane, params);
-}
-
-bool gives_up(const LegLane& lane, const SwingParams& params) {
-  return lane.retreats >= params.max_retreats;
-}
-
-// Way left to the apex. An apex out of reach is where the leg ends.
-double rise_left(LegLane& lane, const LegSensed& sensed, double height) {
-  const bool above = height > std::max(lane.p_OL.z(), lane.step.p_OT.z());
-  if (!sensed.reachable && above) lane.apex_z = std::min(lane.apex_z, height);
-  return lane.apex_z - height;
-}
-
-// Minimum jerk over h in T has the peak speed 1.875 h/T.
-double rise_time(const LegLane& lane, const SwingParams& params) {
-  return std::max(params.lift_time,
-                  kMinimumJerkPeak * (lane.apex_z - lane.rises_from) / params.max_rise);
 }
 
 void support(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
@@ -217,8 +67,7 @@ void support(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB
     if (++lane.bounces < params.max_bounces || gives_up(lane, params) ||
         (lane.regains && sensed.needed))
       return enter(lane, LegPhase::descend);
-    lane.reach_fraction *= kCloser;
-    return retreat(lane, {}, X_OB, params);
+    return retreat_closer(lane, {}, X_OB, params);
   }
 
   ramp(lane.load, lost && !sensed.needed ? 0.0 : 1.0, dt, params.load_time);
@@ -292,18 +141,14 @@ Vector3 descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X
   // It lost contact but not its load: its shin stands on something. It stays as it is while the robot needs it.
   const bool carries = sensed.off.dot(Vector3(X_OB.R.row(2))) > kCarries * params.blocked_error;
   if (lane.regains && sensed.needed && (blocked || carries)) {
-    stop_sideways(lane, dt, way_O);
-    move(lane, 2, braking_tick(lane.v_O.z(), lane.a_O.z(), dt), way_O);
+    stop(lane, dt, way_O);
     return way_O;
   }
   const bool deep = below > depth.beside_hole || (!sensed.reachable && below > depth.at_end);
   const bool in_a_hole = deep && sensed.tracking_error <= params.blocked_error;
   if (in_a_hole) return climb_out(lane, sensed, X_OB), way_O;
   // What is in the way is not pushed: the robot would stand on its shin.
-  if (blocked) {
-    lane.reach_fraction *= kCloser;
-    return retreat(lane, sensed, X_OB, params), way_O;
-  }
+  if (blocked) return retreat_closer(lane, sensed, X_OB, params), way_O;
 
   // Straight down over the last centimetres, so that the foot does not slide.
   const bool committed = height < lane.step.p_OT.z() + params.commit_height;

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <hexagait/executor/detail/foot_motion.hpp>
+#include <hexagait/executor/detail/reflexes.hpp>
+#include <hexagait/executor/foothold_search.hpp>
+
+namespace hexagait {
+namespace {
+
+// The next foothold that is tried, of the way there.
+constexpr double kCloser = 0.6;
+// Of the search for a foothold, in times that a foot moves back in a retreat.
+constexpr double kSearchWidth = 2.0;
+
+void let_go(LegLane& lane, const LegSensed& sensed) {
+  lane.p_BF += sensed.off;
+  lane.v_O.setZero();
+  lane.a_O.setZero();
+  lane.transfer_clock = 0.0;
+  lane.bounces = 0;
+  lane.haste = 1.0;
+}
+
+void search_elsewhere(LegLane& lane, const SwingParams& params) {
+  if (lane.retreats < params.max_retreats) return;
+  if (lane.retreats == params.max_retreats) {
+    lane.reach_fraction = 0.0;
+    return;
+  }
+  const FootholdTry next = searched_foothold(lane.retreats - params.max_retreats - 1);
+  lane.reach_fraction = next.along;
+  lane.beside = next.beside * kSearchWidth * params.retreat_back;
+}
+
+}  // namespace
+
+bool gives_up(const LegLane& lane, const SwingParams& params) noexcept {
+  return lane.retreats >= params.max_retreats;
+}
+
+void retreat(LegLane& lane, const LegSensed& sensed, const Pose& X_OB,
+             const SwingParams& params) noexcept {
+  enter(lane, LegPhase::retreat);
+  let_go(lane, sensed);
+  const Vector2 p_OF = (X_OB * lane.p_BF).head<2>(), back = p_OF - lane.step.p_OT.head<2>();
+  const double distance = back.norm();
+  lane.back_O = p_OF;
+  if (distance != 0.0) lane.back_O += back * (params.retreat_back / distance);  // NaN stays one
+  if (++lane.retreats > 2) lane.reach_fraction *= kCloser;
+  if (lane.retreats < params.max_retreats) lane.apex_z += params.retreat_up;
+  search_elsewhere(lane, params);
+}
+
+void retreat_closer(LegLane& lane, const LegSensed& sensed, const Pose& X_OB,
+                    const SwingParams& params) noexcept {
+  lane.reach_fraction *= kCloser;
+  retreat(lane, sensed, X_OB, params);
+}
+
+void climb_out(LegLane& lane, const LegSensed& sensed, const Pose& X_OB) noexcept {
+  enter(lane, LegPhase::lift);
+  let_go(lane, sensed);
+  lane.found_no_ground = true;
+  lane.rises_from = height_of(lane, X_OB);
+  ++lane.retreats;
+  lane.reach_fraction = 1.0;
+  lane.beside = 0.0;
+}
+
+}  // namespace hexagait
