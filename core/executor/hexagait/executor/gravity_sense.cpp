@@ -44,11 +44,17 @@ Forces forces(const LegModel& leg, const LegTrig& trig, const LegJoints& deflect
 double GravitySense::lag() const noexcept { return rr_ > 0.0 ? std::max(0.0, rs_ / rr_) : 0.0; }
 
 Vector3 GravitySense::update(const RobotModel& model, const RobotState& state,
-                             const JointTargets& targets, int stand, double dt,
+                             const JointTargets& targets, LegSet lost, int stand, double dt,
                              const ToleranceParams& tolerance) noexcept {
+  // What was learnt with a leg that did not answer is wrong.
+  if (lost != lost_) {
+    *this = {};
+    lost_ = lost;
+  }
   if (stand < kSteady || !(tolerance.servo_stiffness > 0.0)) return Vector3::Zero();
   Vector3 s = Vector3::Zero(), r = Vector3::Zero();
   for (LegId i = 0; i < model.num_legs(); ++i) {
+    if (lost.contains(i)) continue;  // it carries nothing, however far it is off its targets
     const Forces of =
         forces(model.legs[i], state.trig[i], targets.q[i] - state.q[i], targets.qd[i]);
     s -= tolerance.servo_stiffness * of.of_deflection;

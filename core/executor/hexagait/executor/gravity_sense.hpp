@@ -32,11 +32,12 @@ class GravitySense {
   /// Of a robot whose legs have three joints or more: those of two can't tell what carries them sideways.
   /// @param state    joints and attitude that are measured and estimated in this tick
   /// @param targets  what the servos were sent in the last tick
+  /// @param lost     legs that are not there; where they change everything is learnt anew
   /// @param stand    how many legs stand and feel the ground
   /// @param dt       control period [s]
   /// @returns the correction of û in this tick, body frame, across û; 0 if the joints say nothing
   Vector3 update(const RobotModel& model, const RobotState& state, const JointTargets& targets,
-                 int stand, double dt, const ToleranceParams& tolerance) noexcept;
+                 LegSet lost, int stand, double dt, const ToleranceParams& tolerance) noexcept;
 
   /// λ, as estimated; 0 before anything has moved [s].
   [[nodiscard]] double lag() const noexcept;
@@ -48,6 +49,7 @@ class GravitySense {
   double speed2_ = 0.0;             ///< mean of |r|² over the last τ
   double noise2_ = 0.0;             ///< σ²
   double amiss2_ = 0.0;             ///< ρ²
+  LegSet lost_;                     ///< legs that were not there in the last tick
 };
 
 }  // namespace hexagait

@@ -47,7 +47,7 @@ struct Standing {
 
   // One tick in which odometry takes the correction over.
   Vector3 tick(double dt, int feet = 6) {
-    const Vector3 change = sense.update(model, state, targets, feet, dt, tolerance);
+    const Vector3 change = sense.update(model, state, targets, lost, feet, dt, tolerance);
     const Vector3 from = up_estimated(), to = (from + change).normalized();
     state.X_OB.R = state.X_OB.R * rotation(to.cross(from));
     return change;
@@ -58,6 +58,7 @@ struct Standing {
   int n;
   RobotState state;
   JointTargets targets;
+  LegSet lost;
   GravitySense sense;
 };
 
@@ -82,6 +83,24 @@ TEST_P(GravitySenseOf, FindsUpFromHowTheServosGiveWay) {
 
 INSTANTIATE_TEST_SUITE_P(Robots, GravitySenseOf,
                          testing::Values("argos", "hexapod_4dof", "spider"));
+
+// The servos of a leg that is not there are far off their targets and carry nothing.
+TEST(GravitySense, FindsUpWithoutALegThatIsLost) {
+  constexpr LegId kGone = 3;
+  Standing robot("argos");
+  const Vector3 up_B = Vector3(0.2, -0.3, 1.0).normalized();
+  const auto walk_on = [&] {
+    for (double t = 0.0; t < 16.0 * robot.tolerance.gravity_time; t += 0.002) {
+      robot.stand(up_B, robot.tolerance.servo_stiffness * (robot.n - 1) / robot.n);
+      robot.targets.q[kGone] = robot.state.q[kGone] + LegJoints(LegJoints::Constant(0.5));
+      robot.tick(0.002, 5);
+    }
+    return (up_B - robot.up_estimated()).norm();
+  };
+  EXPECT_GT(walk_on(), 0.3) << "as long as it counts as one that stands";
+  robot.lost.insert(kGone);
+  EXPECT_LT(walk_on(), 1.5 * kTrusted);
+}
 
 TEST(GravitySense, NeedsNotKnowTheStiffnessOfTheServosWell) {
   for (const double factor : {0.5, 2.0}) {
@@ -140,7 +159,7 @@ TEST(GravitySense, FindsUpFromFarOff) {
   const double tau = robot.tolerance.gravity_time;
   for (double t = 0.0; t < 30.0 * tau; t += 0.002) {
     robot.stand(up_B, robot.tolerance.servo_stiffness);
-    robot.sense.update(robot.model, robot.state, robot.targets, 6, 0.002, robot.tolerance);
+    robot.sense.update(robot.model, robot.state, robot.targets, {}, 6, 0.002, robot.tolerance);
   }
   for (double t = 0.0; t < 30.0 * tau; t += 0.002) {
     robot.stand(up_B, robot.tolerance.servo_stiffness);

@@ -81,8 +81,8 @@ void StateEstimator::feel_gravity(RobotState& state, const Executor& executor,
   int stand = 0;
   for (LegId i = 0; i < model_->num_legs(); ++i)
     stand += executor.legs()[i].phase == LegPhase::support && state.contact[i] ? 1 : 0;
-  const Vector3 change =
-      gravity_.update(*model_, state, executor.targets(), stand, dt, odometry_.tolerance());
+  const Vector3 change = gravity_.update(*model_, state, executor.targets(), executor.lost(), stand,
+                                         dt, odometry_.tolerance());
   if (change.isZero()) return;
   const Vector3 up_B = state.X_OB.R.row(2);
   odometry_.level(state, (up_B + change).normalized(), footing);
