@@ -93,11 +93,11 @@ Escape Deadlock::update(const DeadlockInput& in) noexcept {
   return escape_;
 }
 
-void hold_back(gait_state::GaitInput& legs, const Escape& escape) noexcept {
-  if (escape.held.empty()) return;
+void hold_back(gait_state::GaitInput& legs, LegSet held) noexcept {
+  if (held.empty()) return;
   const double least = *std::ranges::min_element(legs.lag);
   for (LegId i = 0; i < legs.lag.size(); ++i)
-    if (escape.held.contains(i)) {
+    if (held.contains(i)) {
       legs.lag[i] = std::min(legs.lag[i], least) - kBehind;
       legs.urgent.set(i, false);
     }

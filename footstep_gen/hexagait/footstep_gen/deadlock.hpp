@@ -81,7 +81,7 @@ class Deadlock {
 };
 
 /// Gives the legs that are held the lowest priority.
-void hold_back(gait_state::GaitInput& legs, const Escape& escape) noexcept;
+void hold_back(gait_state::GaitInput& legs, LegSet held) noexcept;
 
 /// Keeps the base from its path while it leaves it, and from going back while legs step. One that has
 /// given up stays where it is.

@@ -112,11 +112,11 @@ TEST(Deadlock, NeighboursOfAFailingLegStepFirst) {
   legs.lag = LegArray<double>(6, 0.02);
   legs.lag[kRightFront] = 0.3;
   legs.urgent.insert(kRightFront);
-  hold_back(legs, escape);
+  hold_back(legs, escape.held);
   EXPECT_EQ(legs.lag[kRightFront], 0.3) << "no longer held";
   Escape holds;
   holds.held.insert(kRightFront);
-  hold_back(legs, holds);
+  hold_back(legs, holds.held);
   EXPECT_LT(legs.lag[kRightFront], 0.0);
   EXPECT_TRUE(legs.urgent.empty());
 }

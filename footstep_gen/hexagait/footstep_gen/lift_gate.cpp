@@ -10,8 +10,9 @@ namespace hexagait::footstep_gen {
 namespace {
 
 constexpr double kSwayWeight = 0.2, kAlongWeight = 0.02;  // of (crawl 1)
-constexpr double kDetour = 2.0;  // of the sway across the path, over the shortest one
-constexpr double kBeyond = 1.2;  // the base goes farther than the gate asks, of the margin
+constexpr double kDetour = 2.0;   // of the sway across the path, over the shortest one
+constexpr double kSpacing = 0.8;  // of T over the number of legs in the air
+constexpr double kBeyond = 1.2;   // the base goes farther than the gate asks, of the margin
 
 // The shortest displacement along ± `direction` after which a point is `margin` inside all edges, if
 // there is one.
@@ -109,6 +110,34 @@ LegSet steady_lifts(const LegArray<Vector3>& feet, const Vector2& p_M, LegSet su
     if (!stands(some)) some.erase(next);
   }
   return some;
+}
+
+double lift_spacing(const LegArray<double>& step_time, LegSet lost, int most) noexcept {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (LegId i = 0; i < step_time.size(); ++i)
+    if (!lost.contains(i)) shortest = std::min(shortest, step_time[i]);
+  return kSpacing * shortest / most;
+}
+
+LegSet BalanceWait::update(const BalanceWaitInput& in) noexcept {
+  const LegSet all = in.ring.present();
+  since = std::max(since, in.last_lift);
+  if (!in.waits.empty() && in.time - since > in.patience) {
+    if (held.empty()) up = stepped = {};
+    held = held | in.waits;
+    since = in.time;
+  }
+  held = held & all;
+  up = up | without(all, in.support);
+  stepped = stepped | (up & in.support);
+  const LegSet before = held;
+  for (LegId i = 0; i < kMaxLegs; ++i) {
+    if (!held.contains(i)) continue;
+    const LegSet beside = without(gait_state::neighbours_of(LegSet(1U << i), in.ring), before);
+    held.set(i, in.support.contains(i) && !without(beside, stepped).empty());
+  }
+  if (without(all & in.support, held).empty()) held = {};
+  return held;
 }
 
 Vector2 way_over(const LegArray<Vector3>& feet, const Vector2& p_M, LegSet legs,

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <hexagait/executor/commands.hpp>
+#include <hexagait/gait_state/ring.hpp>
+#include <limits>
 
 /// Crawling. Six legs that keep rule 1 ([PC04] 3.1) stand on a tripod at least. Four legs that keep
 /// it would trot, on two feet. So robots of four legs lift one leg at a time, and a leg
@@ -55,6 +57,35 @@ struct LiftGate {
 [[nodiscard]] LegSet steady_lifts(const LegArray<Vector3>& feet, const Vector2& p_M, LegSet support,
                                   LegSet legs, const LegArray<double>& lag,
                                   double margin = 0.0) noexcept;
+
+/// Time between two lifts of a ring in which `most` legs are in the air at a time, by which they lift one
+/// after the other: a little less than T/most, by which none waits in vain [s].
+/// @param step_time  of the last step of each leg [s]
+[[nodiscard]] double lift_spacing(const LegArray<double>& step_time, LegSet lost,
+                                  int most) noexcept;
+
+struct BalanceWaitInput {
+  double time = 0.0;       ///< [s]
+  double last_lift = 0.0;  ///< of any leg [s]
+  double patience = 0.0;   ///< how long a leg waits before its neighbours step first [s]
+  LegSet waits;            ///< legs that may step, but would leave the robot out of balance
+  LegSet support;          ///< legs that stand
+  gait_state::Ring ring;
+};
+
+/// Where a leg waits for balance in vain, its neighbours step first: the line between their feet is the
+/// edge that the centre of mass has to pass, and their relations would keep them where they are for good.
+/// A value.
+struct BalanceWait {
+  double since =
+      -std::numeric_limits<double>::infinity();  ///< the last lift, or the last leg held [s]
+  LegSet held;                                   ///< legs that step after their neighbours
+  LegSet up;       ///< legs that have been off the ground since the first of them was held
+  LegSet stepped;  ///< legs that have stood again since
+
+  /// @returns the legs that are held from now on
+  LegSet update(const BalanceWaitInput& in) noexcept;
+};
 
 /// The shortest displacement after which the centre of mass is `margin` inside the polygon of these legs,
 /// or equally far inside of the edges that matter; 0 over fewer than three [m].

@@ -119,5 +119,73 @@ TEST(LiftGate, IsForRobotsThatWouldStandOnTwoFeet) {
   EXPECT_FALSE(must_crawl(6));
 }
 
+constexpr LegId kRF = 1, kRR = 5, kLR = 4;
+
+// Argos without its right middle leg; its right hind leg waits.
+BalanceWaitInput five_legs() {
+  BalanceWaitInput in;
+  in.patience = 2.0;
+  in.waits.insert(kRR);
+  in.ring = {6, LegSet(1U << 3U)};
+  in.support = in.ring.present();
+  return in;
+}
+
+TEST(BalanceWait, HoldsALegThatWaitsInVainUntilBothNeighboursHaveStepped) {
+  BalanceWaitInput in = five_legs();
+  BalanceWait wait;
+  in.time = 1.9;
+  EXPECT_TRUE(wait.update(in).empty());
+  in.time = 2.1;
+  EXPECT_EQ(wait.update(in), LegSet(1U << kRR));
+  in.waits = {};
+  // One after the other: they need not stand at the same time.
+  in.support.erase(kRF);
+  EXPECT_EQ(wait.update(in), LegSet(1U << kRR));
+  in.support.insert(kRF);
+  in.support.erase(kLR);
+  EXPECT_EQ(wait.update(in), LegSet(1U << kRR));
+  in.support.insert(kLR);
+  EXPECT_TRUE(wait.update(in).empty());
+}
+
+TEST(BalanceWait, CountsFromTheLastLift) {
+  BalanceWaitInput in = five_legs();
+  BalanceWait wait;
+  in.time = 2.1;
+  in.last_lift = 0.2;
+  EXPECT_TRUE(wait.update(in).empty());
+  in.time = 2.3;
+  EXPECT_FALSE(wait.update(in).empty());
+}
+
+TEST(BalanceWait, NeverHoldsAllLegsThatStand) {
+  BalanceWaitInput in = five_legs();
+  BalanceWait wait;
+  in.waits = in.ring.present();
+  in.time = 2.1;
+  EXPECT_TRUE(wait.update(in).empty());
+}
+
+TEST(BalanceWait, ForgetsALegThatIsLostMeanwhile) {
+  BalanceWaitInput in = five_legs();
+  BalanceWait wait;
+  in.time = 2.1;
+  EXPECT_FALSE(wait.update(in).empty());
+  in.waits = {};
+  in.ring.lost.insert(kRR);
+  in.support.erase(kRR);
+  EXPECT_TRUE(wait.update(in).empty());
+}
+
+TEST(LiftSpacing, IsALittleLessThanThatOfEvenlySpacedLifts) {
+  LegArray<double> step_time(6, 0.5);
+  step_time[0] = 0.6;
+  step_time[2] = 0.1;  // of the lost one
+  const double spacing = lift_spacing(step_time, LegSet(1U << 2U), 2);
+  EXPECT_LT(spacing, 0.5 * 0.5);
+  EXPECT_GT(spacing, 0.3 * 0.5);
+}
+
 }  // namespace
 }  // namespace hexagait::footstep_gen

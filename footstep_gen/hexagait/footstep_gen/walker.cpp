@@ -19,7 +19,9 @@ namespace {
 
 constexpr double kCatching = 2.5;    // times of a lift, after a leg is lost
 constexpr double kPatience = 1.5;    // of a step all tries of which fail: then it is a deadlock
-constexpr double kMostToCome = 0.5;  // of half a step
+constexpr double kMostToCome = 1.0;  // of half a step
+constexpr double kWaits = 2.0;       // of the longest step: then it has all the balance it can get
+constexpr double kLevel = 0.5;       // of the step height: prints that differ by less
 constexpr double kMostLean = 0.5;    // of the smallest workspace radius
 constexpr double kLeanRate = 3.0;    // of the rate at which the body tilts
 constexpr double kHole = 0.5, kBeside = 1.0;  // of the workspace radius
@@ -322,7 +324,7 @@ void Walker::find_deadlock() noexcept {
 void Walker::decide() noexcept {
   if (crawls()) X_BG_ = pose(record_.deviation);
   record_.gait_input = gait_input(record_.arc, executor_, params_.step, path_pose());
-  hold_back(record_.gait_input, record_.escape);
+  hold_back(record_.gait_input, record_.escape.held | balance_.held);
   record_.gate = crawls() ? gate() : LiftGateDecision{};
   const gait_state::StepConditions conditions{
       .time = time(),
@@ -338,6 +340,27 @@ void Walker::decide() noexcept {
   record_.lifts = decision.lifts;
   record_.waits = decision.waits;
   record_.rule1_violations = decision.rule1_violations;
+  if (lost_legs().empty() || crawls()) return;
+  // Whose turn to lift has not come yet does not wait for balance.
+  if (time() - last_lift() < spacing()) record_.waits = {};
+  balance_.update({.time = time(),
+                   .last_lift = last_lift(),
+                   .patience = kWaits * memory_.stepper.longest_step(),
+                   .waits = record_.waits,
+                   .support = executor_.support(),
+                   .ring = ring()});
+}
+
+double Walker::last_lift() const noexcept {
+  return *std::ranges::max_element(memory_.stepper.lifted_at);
+}
+
+// With a leg lost and on about level ground legs lift one after the other: pairs that lift together stop the
+// base between their steps. On rough ground no time is given away.
+double Walker::spacing() const noexcept {
+  if (lost_legs().empty() || crawls()) return 0.0;
+  if (height_spread(record_.state.print_O) > kLevel * params_.step.height) return 0.0;
+  return lift_spacing(memory_.stepper.step_time, lost_legs(), ring().size() / 2);
 }
 
 LegSet Walker::steady(LegSet legs) const noexcept {
@@ -347,11 +370,16 @@ LegSet Walker::steady(LegSet legs) const noexcept {
   double margin = 0.0;
   if (!lost_legs().empty()) {
     // All of the margin at first; who waits for it for long does without.
-    const double waited = time() - *std::ranges::max_element(memory_.stepper.lifted_at);
+    const double waited = time() - std::max(last_lift(), balance_.since);
     const double patience = memory_.stepper.longest_step();
-    margin = params_.step.stability_margin * std::clamp(2.0 - waited / patience, 0.0, 1.0);
+    margin = params_.step.stability_margin * std::clamp(kWaits - waited / patience, 0.0, 1.0);
   }
-  return steady_lifts(feet, p_M, executor_.support(), legs, record_.gait_input.lag, margin);
+  const double between = spacing();
+  if (between > 0.0 && time() - last_lift() < between) return {};
+  const LegSet lifts =
+      steady_lifts(feet, p_M, executor_.support(), legs, record_.gait_input.lag, margin);
+  if (!(between > 0.0) || lifts.empty()) return lifts;
+  return LegSet(1U << hindmost(lifts, record_.gait_input.lag));
 }
 
 // Rule 1.
@@ -407,7 +435,7 @@ void Walker::command() noexcept {
   StepParams step = steps_here();
   const double half_step = walks() ? 0.5 * step.stroke : 0.0;
   record_.path_to_come = path_to_come(record_.arc, executor_, half_step, path_pose());
-  // With a leg lost the base waits for balance more often, and feet would land too far ahead of it.
+  // With a leg lost the base may wait for balance, and feet would land too far ahead of it.
   if (!lost_legs().empty())
     record_.path_to_come = std::min(record_.path_to_come, kMostToCome * half_step);
 

@@ -107,6 +107,8 @@ class Walker {
   [[nodiscard]] LegSet may_crawl() const noexcept;
   LiftGateDecision gate() noexcept;
   [[nodiscard]] LegSet steady(LegSet legs) const noexcept;
+  [[nodiscard]] double spacing() const noexcept;
+  [[nodiscard]] double last_lift() const noexcept;
   void command() noexcept;
   void execute() noexcept;
   void stop(Fault fault) noexcept;
@@ -139,6 +141,7 @@ class Walker {
   gait_state::GaitMemory memory_;
   Deadlock deadlock_;
   LiftGate gate_;
+  BalanceWait balance_;
   Pose X_BG_;                       ///< see gait_input()
   Stance stance_of_all_;            ///< before any leg was lost
   Stance level_;                    ///< of the legs that there are, on level ground
