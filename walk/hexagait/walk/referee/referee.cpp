@@ -56,6 +56,7 @@ Referee::Referee(const RobotModel& model, const GroundTruth& truth, double contr
       yaw_before_(start_.angle),
       not_standing_(model.num_legs(), 0.0),
       not_stepping_(model.num_legs(), 0.0),
+      no_ground_(model.num_legs(), 0),
       work_before_(truth.work),
       work_(truth.work) {
   for (LegId i = 0; i < model.num_legs(); ++i) {
@@ -208,21 +209,24 @@ void Referee::watch_legs(const TickRecord& record) {
     const bool lost = record.lost.contains(i);
     not_standing_[i] = stands || lost ? 0.0 : not_standing_[i] + dt_;
     not_stepping_[i] = record.lifts.contains(i) || lost ? 0.0 : not_stepping_[i] + dt_;
+    no_ground_[i] = idle_ > 0.0 ? no_ground_[i] + (lane.found_no_ground ? 1 : 0) : 0;
   }
 }
 
-// The leg that has been off the ground for longest, if that is longer than steps take; else the one
-// that has not stepped for longest.
+// The leg that has been off the ground for longest, if that is longer than steps take; else the one that has found
+// no ground most often; else the one that has not stepped for longest.
 Hindrance Referee::hindrance(const TickRecord& record) const {
-  const auto longest = [](const LegArray<double>& times) {
-    return static_cast<LegId>(std::ranges::max_element(times) - times.begin());
+  const auto most = [](const auto& values) {
+    return static_cast<LegId>(std::ranges::max_element(values) - values.begin());
   };
   constexpr double kLong = 0.25;  // of the patience
-  const LegId off = longest(not_standing_), waiting = longest(not_stepping_);
+  const LegId off = most(not_standing_), searching = most(no_ground_);
   const bool is_off = not_standing_[off] > kLong * params_.patience;
-  const LegId leg = is_off ? off : waiting;
+  const int no_ground = is_off ? 0 : no_ground_[searching];
+  const LegId leg = is_off ? off : no_ground > 0 ? searching : most(not_stepping_);
   const LegLane& lane = record.legs[leg];
-  return {leg, lane.phase, is_off ? not_standing_[leg] : not_stepping_[leg], lane.retreats};
+  return {leg, lane.phase, is_off ? not_standing_[leg] : not_stepping_[leg], lane.retreats,
+          no_ground};
 }
 
 void Referee::watch_progress(const TickRecord& record) {

@@ -96,6 +96,7 @@ class Referee {
   Vector2 p_WB_seen_ = Vector2::Zero();  ///< on a path: where it was when it last got on [m]
   double turned_ = 0.0, turned_before_ = 0.0, yaw_before_ = 0.0;
   LegArray<double> not_standing_, not_stepping_;  ///< for how long each leg [s]
+  LegArray<int> no_ground_;                       ///< how often, since the robot last got on
   double outer_ = 0.0;                            ///< the farthest workspace centre [m]
   Summary summary_;
   int tries_ = 0;              ///< of the present deadlock

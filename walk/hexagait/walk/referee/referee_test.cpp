@@ -190,6 +190,20 @@ TEST(Referee, CallsTenSecondsWithoutProgressStuck) {
   EXPECT_TRUE(walk.referee.stuck());
 }
 
+// At a cliff a foot stands again and again between its tries.
+TEST(Referee, NamesTheLegThatFoundNoGround) {
+  HandMadeWalk walk;
+  for (int k = 0; k < 100; ++k) walk.tick();
+  for (int k = 0; !walk.referee.summary().stuck && k < 10000; ++k) {
+    walk.record.legs[2].found_no_ground = k % 500 == 0;
+    walk.tick();
+  }
+  const Hindrance why = walk.referee.summary().hindrance;
+  EXPECT_EQ(why.leg, 2);
+  EXPECT_GT(why.no_ground, 1);
+  EXPECT_NE(cause_in_words(why, HandMadeWalk::six_legs()).find("no ground"), std::string::npos);
+}
+
 TEST(Referee, DoesNotCallProgressOrATurnOrARestStuck) {
   HandMadeWalk slow, turning, resting;
   turning.record.heading = Heading::spin(Turn::cw);

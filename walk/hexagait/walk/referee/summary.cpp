@@ -44,6 +44,9 @@ Advice advice(LegPhase phase) {
 }  // namespace
 
 std::string cause_in_words(const Hindrance& hindrance, const RobotModel& robot) {
+  if (hindrance.no_ground > 0)
+    return fmt::format("leg {} has come to its end {} times: {}", robot.legs[hindrance.leg].name,
+                       hindrance.no_ground, advice(LegPhase::descend).what);
   const std::string collisions =
       hindrance.retreats > 0 ? fmt::format(", after {} collisions", hindrance.retreats) : "";
   return fmt::format("leg {} has been in {} for {:.1f} s{}: {}", robot.legs[hindrance.leg].name,
@@ -53,7 +56,7 @@ std::string cause_in_words(const Hindrance& hindrance, const RobotModel& robot) 
 
 std::string in_words(const Hindrance& hindrance, const RobotModel& robot) {
   return fmt::format("{}; what may help: {}", cause_in_words(hindrance, robot),
-                     advice(hindrance.phase).help);
+                     advice(hindrance.no_ground > 0 ? LegPhase::descend : hindrance.phase).help);
 }
 
 std::string in_words(const footstep_gen::Escape& escape, const RobotModel& robot) {

@@ -18,6 +18,7 @@ struct Hindrance {
   LegPhase phase = LegPhase::support;  ///< in which it is
   double seconds = 0.0;                ///< since it last stood; of a leg that stands, lifted [s]
   int retreats = 0;                    ///< collisions in its present step
+  int no_ground = 0;                   ///< how often it found no ground since the robot last got on
 };
 
 /// "leg LF has been in descend for 4.2 s: it finds no ground, …".
