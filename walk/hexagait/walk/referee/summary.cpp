@@ -45,8 +45,10 @@ Advice advice(LegPhase phase) {
 
 std::string cause_in_words(const Hindrance& hindrance, const RobotModel& robot) {
   if (hindrance.no_ground > 0)
-    return fmt::format("leg {} has come to its end {} times: {}", robot.legs[hindrance.leg].name,
-                       hindrance.no_ground, advice(LegPhase::descend).what);
+    return fmt::format(
+        "leg {} has reached down in vain {}: {}", robot.legs[hindrance.leg].name,
+        hindrance.no_ground == 1 ? "once" : fmt::format("{} times", hindrance.no_ground),
+        advice(LegPhase::descend).what);
   const std::string collisions =
       hindrance.retreats > 0 ? fmt::format(", after {} collisions", hindrance.retreats) : "";
   return fmt::format("leg {} has been in {} for {:.1f} s{}: {}", robot.legs[hindrance.leg].name,
