@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <hexagait/footstep_gen/walker.hpp>
+#include <hexagait/urdf/urdf.hpp>
+#include <testing/kinematic_plant.hpp>
+
+namespace hexagait::footstep_gen {
+namespace {
+
+constexpr double kDt = 0.005;
+constexpr double kBegins = 0.8;  // the ditch [m]
+
+template <int kCentimetres>
+double ditch(const Vector2& p_O) {
+  const double into = p_O.x() - kBegins;
+  return into > 0.0 && into < 0.01 * kCentimetres ? -1.0 : 0.0;
+}
+
+struct Crossing {
+  double distance = 0.0;  ///< after 40 s [m]
+  int searches = 0;       ///< feet that found no ground
+};
+
+Crossing cross(double (*ground)(const Vector2&), std::uint64_t seed) {
+  const RobotModel argos = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  WalkerParams params;
+  params.control_dt = kDt;
+  Walker walker(argos, params);
+  testing::KinematicPlant plant(argos, 0.5, {.seed = seed});
+  plant.ground = ground;
+  walker.start(plant.measurement);
+  Crossing crossing;
+  for (int k = 0; k < 8000; ++k) {
+    const TickRecord& record =
+        walker.tick(PlantStatus::fresh, plant.measurement, heading_control::Heading::straight(0.0));
+    plant.follow(record, kDt);
+    for (const LegLane& lane : record.legs) crossing.searches += lane.found_no_ground ? 1 : 0;
+  }
+  crossing.distance = plant.X_OB.p.x();
+  return crossing;
+}
+
+// The body comes along while a foot is in the air: it may step farther than its workspace reaches at the lift.
+TEST(WalkerOverHoles, StepsAsFarAsTheWorkspaceWillBeWhenTheFootLands) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const Crossing crossing = cross(ditch<30>, seed);
+    EXPECT_GT(crossing.distance, 6.0) << seed;
+    EXPECT_GT(crossing.searches, 0) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace hexagait::footstep_gen
