@@ -36,15 +36,23 @@ Foothold clear_of(const Holes& holes, const Vector2& from, const Vector2& to, co
   const auto closer = [&](double share) { return Vector2(from + share * (to - from)); };
   const double way = (to - from).norm();
   const Vector2 along = way > 0.0 ? Vector2((to - from) / way) : Vector2::UnitX();
+  const double well = kWellClear * radius;
+  const struct {
+    Vector2 place;
+    double least;  // that it is off all holes
+  } choices[] = {{to, well},
+                 {end, well},
+                 {to, radius},
+                 {end, radius},
+                 {closer(0.75), radius},
+                 {closer(0.5), radius},
+                 {closer(0.35), radius},
+                 {closer(0.2), radius},
+                 {from, radius}};
   Foothold best{to, 0.0};
-  const Vector2 places[] = {to, end, closer(0.75), closer(0.5), closer(0.35), closer(0.2), from};
-  for (const Vector2& place : {to, end}) {
+  for (const auto& [place, least] : choices) {
     const double off = holes.distance(place, along);
-    if (off >= kWellClear * radius) return {place, off};
-  }
-  for (const Vector2& place : places) {
-    const double off = holes.distance(place, along);
-    if (off >= radius) return {place, off};
+    if (off >= least) return {place, off};
     if (off > best.off) best = {place, off};
   }
   return best;

@@ -30,8 +30,9 @@ struct Foothold {
 };
 
 /// The foothold where ground is expected (step 5): the one asked for or, if there is a hole, the end of the
-/// workspace beyond it, whichever is well clear of holes; then the same, places closer and closer to where the foot
-/// stands, and that itself, whichever is outside their radius. If there are holes everywhere, the place of these that is farthest from all holes: so the leg tries one after the other.
+/// workspace beyond it, whichever is well clear of holes; then the same, places closer and closer to where the
+/// foot stands, and that itself, whichever is outside their radius. If there are holes everywhere, the place of
+/// these that is farthest from all holes: so the leg tries one after the other.
 /// @param from    where the foot stands [m]; as all others in odom
 /// @param to      the foothold asked for [m]
 /// @param end     the end of the workspace beyond it [m]

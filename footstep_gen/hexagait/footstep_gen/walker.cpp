@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/executor/check_params.hpp>
 #include <hexagait/executor/tick_motion.hpp>
 #include <hexagait/footstep_gen/detail/rear_edge.hpp>
@@ -17,11 +16,8 @@
 namespace hexagait::footstep_gen {
 namespace {
 
-constexpr double kCatching = 2.5;    // times of a lift, after a leg is lost
 constexpr double kPatience = 1.5;    // of a step all tries of which fail: then it is a deadlock
 constexpr double kMostToCome = 1.0;  // of half a step
-constexpr double kWaits = 2.0;       // of the longest step: then it has all the balance it can get
-constexpr double kLevel = 0.5;       // of the step height: prints that differ by less
 constexpr double kMostLean = 0.5;    // of the smallest workspace radius
 constexpr double kLeanRate = 3.0;    // of the rate at which the body tilts
 constexpr double kHole = 0.5, kBeside = 1.0;  // of the workspace radius
@@ -113,25 +109,6 @@ void Walker::set_stance(const Stance& stance) {
   recentre();
 }
 
-void Walker::lose_leg(LegId leg) noexcept {
-  if (leg < 0 || leg >= model_->num_legs() || lost_legs().contains(leg)) return;
-  executor_.lose(leg);
-  record_.lost = lost_legs();
-  catches_until_ =
-      ticks_ + std::lround(kCatching * params_.executor.swing.lift_time / params_.control_dt);
-  recentre();
-}
-
-// The stance for the legs that there are.
-void Walker::recentre() noexcept {
-  const LegSet lost = lost_legs();
-  level_ = lost.empty() ? stance_of_all_
-                        : stance_without(lost, *model_, stance_of_all_, executor_.p_BM().head<2>());
-  executor_.set_stance(level_);
-  record_.arc = arc_of(record_.heading);
-  tracker_.follow(record_.arc.per_metre);
-}
-
 const TickRecord& Walker::tick(PlantStatus status, const Measurement& measurement,
                                const heading_control::HeadingCommand& command) noexcept {
   speed_limit_ = command.speed_limit;
@@ -210,22 +187,6 @@ void Walker::stand_by(const Measurement& measurement) noexcept {
     record_.targets.q = measurement.q;
 }
 
-void Walker::find_faults() noexcept {
-  leg_watch_.watch(*model_, executor_, record_.state, record_.measurement, params_.sensors,
-                   watch_.elapsed());
-  record_.findings = leg_watch_.findings();
-  for (LegId i = 0; !record_.findings.silent.empty() && i < model_->num_legs(); ++i)
-    if (record_.findings.silent.contains(i)) lose_leg(i);
-}
-
-// Feet that are up when a leg is lost may have left the centre of mass outside those that stand: it falls
-// slowly, and they may be there first.
-void Walker::catch_fall() noexcept {
-  const auto [feet, p_M] = stance_from_above(executor_, record_.state.X_OB.R);
-  const SupportPolygon polygon = support_polygon(feet, executor_.support());
-  if (stability_margin(polygon, p_M) < -params_.step.stability_margin) executor_.put_down();
-}
-
 void Walker::estimate() noexcept {
   if (params_.finds_faults) find_faults();
   if (record_.findings.none())
@@ -247,12 +208,13 @@ void Walker::estimate() noexcept {
 // (step 4) Legs of two joints, which slide sideways as they stand, stray more with high steps: theirs
 // remember nothing.
 void Walker::feel_roughness() noexcept {
-  const double spread = height_spread(record_.state.print_O);
+  print_spread_ = height_spread(record_.state.print_O);
   const PlanarTwist& V = record_.base.planar;
   const double speed = V.v.norm() + params_.executor.base.outer_radius * std::abs(V.w);
-  spread_ = model_->legs[0].has_two_joints()
-                ? spread
-                : remembered_spread(spread_, spread, speed * params_.control_dt, params_.step);
+  spread_ =
+      model_->legs[0].has_two_joints()
+          ? print_spread_
+          : remembered_spread(spread_, print_spread_, speed * params_.control_dt, params_.step);
 }
 
 heading_control::PathArc Walker::arc_of(const heading_control::Heading& heading) const noexcept {
@@ -340,45 +302,19 @@ void Walker::decide() noexcept {
   record_.lifts = decision.lifts;
   record_.waits = decision.waits;
   record_.rule1_violations = decision.rule1_violations;
-  if (lost_legs().empty() || crawls()) return;
-  // Whose turn to lift has not come yet does not wait for balance.
-  if (time() - last_lift() < spacing()) record_.waits = {};
-  balance_.update({.time = time(),
-                   .last_lift = last_lift(),
-                   .patience = kWaits * memory_.stepper.longest_step(),
-                   .waits = record_.waits,
-                   .support = executor_.support(),
-                   .ring = ring()});
-}
-
-double Walker::last_lift() const noexcept {
-  return *std::ranges::max_element(memory_.stepper.lifted_at);
-}
-
-// With a leg lost and on about level ground legs lift one after the other: pairs that lift together stop the
-// base between their steps. On rough ground no time is given away.
-double Walker::spacing() const noexcept {
-  if (lost_legs().empty() || crawls()) return 0.0;
-  if (height_spread(record_.state.print_O) > kLevel * params_.step.height) return 0.0;
-  return lift_spacing(memory_.stepper.step_time, lost_legs(), ring().size() / 2);
+  if (!lost_legs().empty() && !crawls()) wait_for_balance();
 }
 
 LegSet Walker::steady(LegSet legs) const noexcept {
   if (crawls()) return legs;
   legs = without(legs, record_.escape.held);
   const auto [feet, p_M] = stance_from_above(executor_, record_.state.X_OB.R);
-  double margin = 0.0;
-  if (!lost_legs().empty()) {
-    // All of the margin at first; who waits for it for long does without.
-    const double waited = time() - std::max(last_lift(), balance_.since);
-    const double patience = memory_.stepper.longest_step();
-    margin = params_.step.stability_margin * std::clamp(kWaits - waited / patience, 0.0, 1.0);
-  }
-  const double between = spacing();
-  if (between > 0.0 && time() - last_lift() < between) return {};
+  if (lost_legs().empty())
+    return steady_lifts(feet, p_M, executor_.support(), legs, record_.gait_input.lag);
+  if (too_soon()) return {};
   const LegSet lifts =
-      steady_lifts(feet, p_M, executor_.support(), legs, record_.gait_input.lag, margin);
-  if (!(between > 0.0) || lifts.empty()) return lifts;
+      steady_lifts(feet, p_M, executor_.support(), legs, record_.gait_input.lag, balance_margin());
+  if (!one_at_a_time() || lifts.empty()) return lifts;
   return LegSet(1U << hindmost(lifts, record_.gait_input.lag));
 }
 
@@ -476,24 +412,12 @@ StepParams Walker::steps_here() const noexcept {
   if (plain)
     step.haste = step.touchdown = 1.0;
   else
-    step = on_guessed_ground(step, height_spread(record_.state.print_O));
+    step = on_guessed_ground(step, print_spread_);
   if (!wave) step = on_ground(step, spread_);
   // A foot whose drives lag by more of its swing runs into the ground, or seems blocked.
   const double lag = executor_.drive_lag() / (kHastyLag * params_.executor.swing.lift_time);
   step.haste = 1.0 + (step.haste - 1.0) * std::clamp(2.0 - lag, 0.0, 1.0);
   return step;
-}
-
-// Displacement of the body after which the waiting leg that lags most may lift: with a leg lost, one may
-// wait for balance where all stand and nothing else moves the body.
-Vector2 Walker::way_for_waiting() const noexcept {
-  constexpr double kBeyond = 2.0;  // of the margin that it waits for: the last of the way is slow
-  const LegId next = hindmost(record_.waits, record_.gait_input.lag);
-  const Matrix3& R_OB = record_.state.X_OB.R;
-  const auto [feet, p_M] = stance_from_above(executor_, R_OB);
-  const LegSet rest = without(executor_.support(), LegSet(1U << next));
-  return R_OB.topLeftCorner<2, 2>().transpose() *
-         way_over(feet, p_M, rest, kBeyond * params_.step.stability_margin);
 }
 
 // The legs of a wave land one after the other. The fraction of the advance still to come that the

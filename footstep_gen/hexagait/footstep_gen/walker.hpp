@@ -107,8 +107,11 @@ class Walker {
   [[nodiscard]] LegSet may_crawl() const noexcept;
   LiftGateDecision gate() noexcept;
   [[nodiscard]] LegSet steady(LegSet legs) const noexcept;
-  [[nodiscard]] double spacing() const noexcept;
   [[nodiscard]] double last_lift() const noexcept;
+  [[nodiscard]] bool one_at_a_time() const noexcept;
+  [[nodiscard]] bool too_soon() const noexcept;
+  [[nodiscard]] double balance_margin() const noexcept;
+  void wait_for_balance() noexcept;
   void command() noexcept;
   void execute() noexcept;
   void stop(Fault fault) noexcept;
@@ -149,9 +152,10 @@ class Walker {
   Executor executor_;
   double speed_limit_ = std::numeric_limits<double>::infinity();  ///< along the path [m/s]
   Holes holes_;
-  double spread_ = 0.0;     ///< of the ground of late [m]
-  long catches_until_ = 0;  ///< tick until which it may have to catch itself
-  long ticks_ = 0;          ///< number of control periods, late ones too
+  double print_spread_ = 0.0;  ///< of the last footprints in height [m]
+  double spread_ = 0.0;        ///< of the ground of late [m]
+  long catches_until_ = 0;     ///< tick until which it may have to catch itself
+  long ticks_ = 0;             ///< number of control periods, late ones too
   TickRecord record_;
 };
 

@@ -48,7 +48,7 @@ std::string cause_in_words(const Hindrance& hindrance, const RobotModel& robot) 
     return fmt::format(
         "leg {} has reached down in vain {}: {}", robot.legs[hindrance.leg].name,
         hindrance.no_ground == 1 ? "once" : fmt::format("{} times", hindrance.no_ground),
-        advice(LegPhase::descend).what);
+        advice(hindrance.phase).what);
   const std::string collisions =
       hindrance.retreats > 0 ? fmt::format(", after {} collisions", hindrance.retreats) : "";
   return fmt::format("leg {} has been in {} for {:.1f} s{}: {}", robot.legs[hindrance.leg].name,
@@ -58,7 +58,7 @@ std::string cause_in_words(const Hindrance& hindrance, const RobotModel& robot) 
 
 std::string in_words(const Hindrance& hindrance, const RobotModel& robot) {
   return fmt::format("{}; what may help: {}", cause_in_words(hindrance, robot),
-                     advice(hindrance.no_ground > 0 ? LegPhase::descend : hindrance.phase).help);
+                     advice(hindrance.phase).help);
 }
 
 std::string in_words(const footstep_gen::Escape& escape, const RobotModel& robot) {

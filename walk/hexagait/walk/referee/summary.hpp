@@ -15,7 +15,7 @@ namespace hexagait::walk {
 /// What a robot that is stuck waits for.
 struct Hindrance {
   LegId leg = 0;
-  LegPhase phase = LegPhase::support;  ///< in which it is
+  LegPhase phase = LegPhase::support;  ///< in which it is, or found no ground
   double seconds = 0.0;                ///< since it last stood; of a leg that stands, lifted [s]
   int retreats = 0;                    ///< collisions in its present step
   int no_ground = 0;                   ///< how often it found no ground since the robot last got on
