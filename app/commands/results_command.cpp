@@ -40,7 +40,7 @@ using experiments::Manifest;
 using experiments::Measured;
 using experiments::Verdict;
 
-constexpr const char* kSpeed = "speed";
+constexpr const char* kSpeedGroup = "speed";
 
 // A group of figures, and the command that shows them alone.
 struct Group {
@@ -197,7 +197,7 @@ void write_page(std::ostream& out, const std::vector<Group>& groups, bool short_
 std::vector<std::string> names() {
   std::vector<std::string> all;
   for (const Experiment& experiment : experiments::experiments()) all.push_back(experiment.name);
-  all.emplace_back(kSpeed);
+  all.emplace_back(kSpeedGroup);
   return all;
 }
 
@@ -237,7 +237,7 @@ int results_command(const ResultsArguments& arguments) {
                                   arguments.short_form ? " --short" : ""),
                       manifest.outcome.verdicts});
   }
-  if (wanted(kSpeed)) {
+  if (wanted(kSpeedGroup)) {
     if (!arguments.quiet) fmt::print(stderr, "Speed of the program\n");
     groups.push_back(speed(robot));
     well = well && std::ranges::all_of(groups.back().verdicts, &Verdict::is_accounted_for);

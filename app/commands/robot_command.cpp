@@ -15,7 +15,7 @@
 namespace hexagait::app {
 namespace {
 
-std::string subtitle(const RobotModel& robot) {
+std::string robot_subtitle(const RobotModel& robot) {
   double reach = 0.0, height = 0.0;
   for (const LegModel& leg : robot.legs) {
     reach = std::max(reach, leg.max_reach);
@@ -39,7 +39,7 @@ void draw(OutputFile& file, const RobotModel& robot) {
                            .suffix = file.path.extension(),
                            .headline = fmt::format("{}: {} legs, {:.3g} kg", robot.name,
                                                    robot.num_legs(), robot.mass),
-                           .subtitle = subtitle(robot)},
+                           .subtitle = robot_subtitle(robot)},
                           robot);
     file.files.publish();
   });

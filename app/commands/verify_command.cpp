@@ -20,7 +20,7 @@ using verify::TheoremReport;
 
 constexpr std::size_t kWidth = 98;  // of a paragraph
 
-std::string in_words(const CaseValue& cell) {
+std::string text_of(const CaseValue& cell) {
   if (const auto* number = std::get_if<std::int64_t>(&cell)) return fmt::format("{}", *number);
   if (const auto* number = std::get_if<double>(&cell)) return fmt::format("{:.4f}", *number);
   return std::get<std::string>(cell);
@@ -43,7 +43,7 @@ void print(const CaseTable& table) {
   for (const auto& row : table.rows) {
     lines.emplace_back();
     std::ranges::transform(row, std::back_inserter(lines.back()),
-                           [](const CaseValue& cell) { return in_words(cell); });
+                           [](const CaseValue& cell) { return text_of(cell); });
   }
   for (const auto& line : lines) {
     std::string text = "  ";

@@ -7,7 +7,7 @@
 namespace hexagait::app {
 namespace {
 
-constexpr const char* kNotes = R"(
+constexpr const char* kReplayNotes = R"(
 The page at the address that is printed plays the walk: Space plays and pauses, ← and → go a frame
 back and on, Home and End to its ends; the slider goes anywhere, and the speed is chosen.
 
@@ -24,7 +24,7 @@ or cut off, or the port is in use.)";
 
 void add_replay(CLI::App& app, ReplayArguments& a) {
   CLI::App* replay = app.add_subcommand("replay", "Play a recorded walk in the browser");
-  replay->footer(kNotes);
+  replay->footer(kReplayNotes);
   replay->add_option("file", a.file, "Of walk, run or steer --record")
       ->type_name("FILE")
       ->required();

@@ -8,7 +8,7 @@
 namespace hexagait::app {
 namespace {
 
-constexpr const char* kNotes = R"(
+constexpr const char* kSteerNotes = R"(
 The page at the address that is printed shows the robot and steers it. Keys: W S ahead, backwards;
 A D curve to the left, right; Q E crab to the left, right; X stop; Space pause; → one tick;
 ← look back, up to a minute; End back to the walk;
@@ -37,7 +37,7 @@ robot; 2 bad usage or input, the port is in use, or the live robot can't be star
 
 void add_steer(CLI::App& app, SteerArguments& a) {
   CLI::App* steer = app.add_subcommand("steer", "Watch and steer a walk in the browser");
-  steer->footer(kNotes);
+  steer->footer(kSteerNotes);
   a.walk.terrain = "boxes:10cm";
   a.walk.radius = "3";
   steer->add_option("--robot", a.walk.robot, "URDF file, or a name of hexagait list robots")

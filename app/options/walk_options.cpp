@@ -8,7 +8,7 @@
 namespace hexagait::app {
 namespace {
 
-constexpr const char* kNotes = R"(
+constexpr const char* kWalkNotes = R"(
 Angles are 45deg, 0.8rad or 0.8 (radians, at most 2π); lengths 0.05, 5cm or 50mm; times 2, 2s or 20ms.
 
 Examples:
@@ -155,7 +155,7 @@ void add_teleop(CLI::App& walk, WalkArguments& a) {
 
 void add_walk(CLI::App& app, WalkArguments& a) {
   CLI::App* walk = app.add_subcommand("walk", "Walk in the simulator, and be judged by the truth");
-  walk->footer(kNotes);
+  walk->footer(kWalkNotes);
   walk->add_option("--robot", a.robot, "URDF file, or a name of hexagait list robots")
       ->type_name("FILE|NAME")
       ->capture_default_str();

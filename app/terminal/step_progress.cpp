@@ -6,12 +6,6 @@
 #include <unistd.h>
 
 namespace hexagait::app {
-namespace {
-
-constexpr std::chrono::milliseconds kRefresh(100);  // of the line on a terminal
-
-}  // namespace
-
 StepProgress::StepProgress(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {}
 
 StepProgress::~StepProgress() {
@@ -20,6 +14,7 @@ StepProgress::~StepProgress() {
 
 void StepProgress::at(const ActionFeedback& feedback) {
   if (quiet_ || feedback.step == 0) return;
+  constexpr std::chrono::milliseconds kRefresh(100);  // of the line on a terminal
   const Clock::time_point now = Clock::now();
   const bool is_new = feedback.step != step_;
   if (!is_new && (!terminal_ || now - shown_ < kRefresh)) return;

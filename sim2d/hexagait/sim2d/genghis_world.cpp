@@ -9,6 +9,25 @@
 #include <limits>
 
 namespace hexagait::sim2d {
+namespace detail {
+
+/// One servo: an implicit spring-damper on its own inertia. What the foot meets only adds to that.
+struct GenghisServo {
+  double kp, kd, limit, inertia, dt;
+
+  [[nodiscard]] double operator()(double error, double error_rate) const {
+    const double wanted = kp * (error + dt * error_rate) + kd * error_rate;
+    return std::clamp(wanted / (1.0 + dt * (kd + dt * kp) / inertia), -limit, limit);
+  }
+};
+
+struct GenghisLeg {
+  b2Body* body = nullptr;
+  b2WheelJoint* joint = nullptr;  ///< a slider and a hinge: lift and swing, moved from outside
+};
+
+}  // namespace detail
+
 namespace {
 
 using namespace detail;
@@ -35,16 +54,6 @@ GenghisWorldParams checked(const GenghisWorldParams& params) {
 
 Vector3 in_space(const Vector2& p, double y) { return {p.x(), y, p.y()}; }
 
-/// One servo: an implicit spring-damper on its own inertia. What the foot meets only adds to that.
-struct Servo {
-  double kp, kd, limit, inertia, dt;
-
-  [[nodiscard]] double operator()(double error, double error_rate) const {
-    const double wanted = kp * (error + dt * error_rate) + kd * error_rate;
-    return std::clamp(wanted / (1.0 + dt * (kd + dt * kp) / inertia), -limit, limit);
-  }
-};
-
 b2Body* make_body(b2World& world, const GenghisModel& model, const Vector2& p_WB, double friction) {
   b2BodyDef definition;
   definition.type = b2_dynamicBody;
@@ -70,20 +79,15 @@ b2Body* make_body(b2World& world, const GenghisModel& model, const Vector2& p_WB
   return body;
 }
 
-struct Leg {
-  b2Body* body = nullptr;
-  b2WheelJoint* joint = nullptr;  ///< a slider and a hinge: lift and swing, moved from outside
-};
-
 /// A rod from the hip to the foot with the foot at its end; only the foot touches.
-Leg make_leg(b2World& world, b2Body* body, const GenghisModel& model, LegId leg,
-             const GenghisJoints& q, double friction) {
+detail::GenghisLeg make_leg(b2World& world, b2Body* body, const GenghisModel& model, LegId leg,
+                            const GenghisJoints& q, double friction) {
   const Vector2 p_BH = hip(model, leg) + Vector2(0.0, q.lift);
   b2BodyDef definition;
   definition.type = b2_dynamicBody;
   definition.position = body->GetWorldPoint(units(p_BH));
   definition.angle = static_cast<float>(q.swing);
-  Leg result;
+  detail::GenghisLeg result;
   result.body = world.CreateBody(&definition);
 
   b2CircleShape foot;
@@ -182,7 +186,7 @@ class GenghisWorld::Impl {
 
   // Forces of both servos of a leg, and their reactions. Returns the load of the lift motor.
   double drive(LegId i, const GenghisTargets& targets, double left) {
-    const Leg& leg = legs_[i];
+    const detail::GenghisLeg& leg = legs_[i];
     const GenghisJoints q = joints(i);
     const GenghisJoints& goal = targets.q[i];
     const GenghisJoints& rate = targets.q_dot[i];
@@ -251,11 +255,11 @@ class GenghisWorld::Impl {
 
   GenghisModel model_;
   GenghisWorldParams params_;
-  Servo lift_{}, swing_{};
+  detail::GenghisServo lift_{}, swing_{};
   b2World world_;
   GroundChains ground_;
   b2Body* body_ = nullptr;
-  LegArray<Leg> legs_;
+  LegArray<detail::GenghisLeg> legs_;
   LegArray<double> load_;
   GroundTruth truth_;
   double pitch_ = 0.0;  ///< positive nose up [rad]

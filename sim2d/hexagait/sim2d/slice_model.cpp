@@ -10,8 +10,6 @@
 namespace hexagait::sim2d {
 namespace {
 
-using Kind = SliceTerrain::Kind;
-
 constexpr double kTie = 1.0;        // lags that differ by no more are tied: 2 % of a stroke [units]
 constexpr double kClearance = 5.0;  // a foot is raised so far above the body's level
 constexpr double kContact = 0.5;    // half of what a foot descends in a slice
@@ -46,7 +44,7 @@ SliceRobot::SliceRobot(const SliceConfig& config, const SliceSeed& seed,
       landings_(foot.size(), 0),
       air_time_(foot.size(), 0),
       hash_(kFnv1aBasis) {
-  if (config.terrain.kind != Kind::profile) return;
+  if (config.terrain.kind != SliceTerrain::Kind::profile) return;
   for (LegId leg = 0; leg < foot.size(); ++leg) {
     cell_[leg] = cell_at(config.terrain, foot[leg]);
     ground_[leg] = cell_height(config.terrain, seed, leg, cell_[leg]);
@@ -77,7 +75,7 @@ void SliceRobot::lift(LegSet legs) {
     const double stroke = stance_from_[leg] - foot_[leg];
     longest_stroke_ = std::max(longest_stroke_, stroke);
     stroke_sum_ += stroke;
-    if (config_.terrain.kind != Kind::profile)
+    if (config_.terrain.kind != SliceTerrain::Kind::profile)
       due_[leg] = 1 + descent_of(config_.terrain, seed_, leg, lifts_[leg]);
     ++lifts_[leg];
     in_air_[leg] = 0;
@@ -101,7 +99,7 @@ double SliceRobot::move_body() {
 }
 
 void SliceRobot::lower_feet() {
-  const bool has_profile = config_.terrain.kind == Kind::profile;
+  const bool has_profile = config_.terrain.kind == SliceTerrain::Kind::profile;
   LegSet landed;
   for (LegId leg = 0; leg < foot_.size(); ++leg) {
     if (!airborne_.contains(leg)) continue;

@@ -18,7 +18,7 @@ constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
 constexpr std::size_t kMostPixels = std::size_t{1} << 24U;
 constexpr double kGreatest = 1e6;
 
-[[noreturn]] void refuse(const std::string& place, const std::string& why) {
+[[noreturn]] void refuse_heightmap(const std::string& place, const std::string& why) {
   throw InvalidInput(std::string("heightmap '").append(place).append("': ").append(why));
 }
 
@@ -26,18 +26,19 @@ constexpr double kGreatest = 1e6;
 void add_row(Heightmap& map, const std::string& place, std::string_view line) {
   const std::vector<std::string_view> cells = split(line, ',');
   if (map.rows > 0 && static_cast<int>(cells.size()) != map.columns)
-    refuse(place, std::string("it has ") + std::to_string(cells.size()) +
-                      " numbers, the lines before " + std::to_string(map.columns));
+    refuse_heightmap(place, std::string("it has ") + std::to_string(cells.size()) +
+                                " numbers, the lines before " + std::to_string(map.columns));
   if (map.levels.size() + cells.size() > kMostPixels)
-    refuse(place, "it has more than 4096 × 4096 numbers");
+    refuse_heightmap(place, "it has more than 4096 × 4096 numbers");
   for (std::string_view cell : cells) {
     while (cell.starts_with(' ')) cell.remove_prefix(1);
     while (cell.ends_with(' ')) cell.remove_suffix(1);
     const auto level = parse_number<double>(cell);
     if (!level || !(std::abs(*level) <= kGreatest))
-      refuse(place, std::string("'") + std::string(cell.substr(0, 40)) +
-                        "' is not a number from -1e6 to 1e6; it must be a grey PNG, or lines of "
-                        "numbers with commas between them");
+      refuse_heightmap(place,
+                       std::string("'") + std::string(cell.substr(0, 40)) +
+                           "' is not a number from -1e6 to 1e6; it must be a grey PNG, or lines of "
+                           "numbers with commas between them");
     map.levels.push_back(static_cast<float>(*level));
   }
   map.columns = static_cast<int>(cells.size());
@@ -88,13 +89,13 @@ Heightmap load_heightmap(const std::string& file) {
   Heightmap map;
   if (bytes.starts_with(kPng)) {
     const std::string problem = detail::read_png(bytes, kMostPixels, map);
-    if (!problem.empty()) refuse(file, problem);
+    if (!problem.empty()) refuse_heightmap(file, problem);
   } else {
     map = from_table(file, bytes);
   }
   if (map.columns < 2 || map.rows < 2)
-    refuse(file, std::string("it has ") + std::to_string(map.columns) + " × " +
-                     std::to_string(map.rows) + " levels; at least 2 × 2 are needed");
+    refuse_heightmap(file, std::string("it has ") + std::to_string(map.columns) + " × " +
+                               std::to_string(map.rows) + " levels; at least 2 × 2 are needed");
   return map;
 }
 

@@ -11,8 +11,6 @@ using namespace gait_state;
 
 namespace {
 
-constexpr int kLegs = 6;
-
 /// All lags that differ by ±0.8 or ±1.5 tolerances from each leg to the next on the ring: ties,
 /// orders, and chains of ties whose ends are not tied.
 std::vector<LegArray<double>> rows_of_lags(double tolerance) {

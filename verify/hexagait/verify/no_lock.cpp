@@ -11,9 +11,6 @@ using namespace gait_state;
 
 namespace {
 
-constexpr int kLegs = 6;
-constexpr double kTolerance = 1e-3;  // less than any difference of lags
-
 /// Sets of legs without neighbours: those that may be in the air by rule 1.
 std::vector<LegSet> flights() {
   std::vector<LegSet> sets;

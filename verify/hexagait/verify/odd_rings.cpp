@@ -12,8 +12,6 @@ using namespace gait_state;
 
 namespace {
 
-constexpr double kTolerance = 1e-3;  // ε [m]
-
 /// The ring of a robot of n + 1 legs whose last leg is lost, so that legs are 0 … n − 1.
 Ring odd_ring(int n) { return {n + 1, LegSet(1U << n)}; }
 
@@ -130,7 +128,6 @@ bool flies_beside_another(LegSet airborne, LegId lost, int n) {
 }
 
 void check_rule_1(Theorem& theorem, const Rules& rules, LegId lost) {
-  constexpr int kLegs = 6;
   const Ring ring(kLegs, LegSet(1U << lost));
   const std::vector<GaitState> states = non_cyclic_states(ring), any = all_relations(ring);
   std::int64_t cases = 0;

@@ -73,7 +73,6 @@ Theorem latched_convergence(const Rules& rules, const Scope& scope) {
 
 namespace {
 
-constexpr int kLegs = 6;
 constexpr int kStepTime = 6;  // 1 slice up and forward, 5 down
 
 struct Speeds {

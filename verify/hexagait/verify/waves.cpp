@@ -13,8 +13,6 @@ using namespace gait_state;
 
 namespace {
 
-constexpr int kLegs = 6;
-
 double duty_factor(int step_time, int half_period) { return 1.0 - step_time / (2.0 * half_period); }
 
 std::string least_rotation(std::string text) {

@@ -19,8 +19,8 @@ namespace {
 using heading_control::Heading;
 using heading_control::Turn;
 
-constexpr std::string_view kKeys[] = {"at", "radius", "crab", "spin", "stop", "duty_factor"};
-constexpr YamlKeys kCommandMap = {"command", kKeys};
+constexpr std::string_view kCommandKeys[] = {"at", "radius", "crab", "spin", "stop", "duty_factor"};
+constexpr YamlKeys kCommandMap = {"command", kCommandKeys};
 constexpr NumberRule kTime = {NumberRule::Bound::not_negative, Dimension::time};
 const std::vector<std::string> kSpins = {"ccw", "cw"};
 

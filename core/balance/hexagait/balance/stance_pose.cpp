@@ -20,7 +20,6 @@ constexpr double kMaxTurn = 0.5;     // rotation in one step [rad]
 constexpr double kDamping = 1e-7;    // of H: keeps what the feet do not determine
 constexpr double kNearAngle = 0.15;  // limits of joints farther away are left out [rad]
 constexpr double kNearReach = 0.25;  // ends of the reach farther away are left out, of the reach
-constexpr double kFarAway = 1e6;     // feet are clamped to this, so that squares stay finite [m]
 
 /// The pose of the base, by its centre of mass M. Origin: the base before the search; axes of odom.
 struct Iterate {

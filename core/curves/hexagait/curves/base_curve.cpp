@@ -7,14 +7,14 @@
 namespace hexagait {
 namespace {
 
-constexpr double kMaxToMean = 3.0;  // Fritsch & Carlson 1980
+constexpr double kCubicMaxToMean = 3.0;  // Fritsch & Carlson 1980
 
 // Velocity at a knot, from the mean velocities before and after it.
 Vector3 bounded_velocity(const Vector3& before, double T_before, const Vector3& after,
                          double T_after) {
   if (before.dot(after) <= 0.0) return Vector3::Zero();
   const Vector3 v = parabola_rates(before, T_before, after, T_after).v;
-  const double bound = kMaxToMean * std::min(before.norm(), after.norm());
+  const double bound = kCubicMaxToMean * std::min(before.norm(), after.norm());
   return std::min(1.0, bound / v.norm()) * v;
 }
 

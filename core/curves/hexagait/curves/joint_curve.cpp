@@ -8,7 +8,7 @@ namespace hexagait {
 namespace {
 
 // A quintic with mean velocity s is monotone if its end velocities are at most this times s.
-constexpr double kMaxToMean = 2.0;
+constexpr double kQuinticMaxToMean = 2.0;
 
 // Time and joint positions of a knot.
 struct Place {
@@ -52,7 +52,8 @@ JointRates bounded_rates(const Place& last, const Place& now, const Place& next)
   for (int i = 0; i < kMaxLegJoints; ++i) {
     const bool turns = slope_before[i] * slope_after[i] <= 0.0;
     const double bound =
-        turns ? 0.0 : kMaxToMean * std::min(std::abs(slope_before[i]), std::abs(slope_after[i]));
+        turns ? 0.0
+              : kQuinticMaxToMean * std::min(std::abs(slope_before[i]), std::abs(slope_after[i]));
     if (std::abs(rates.v[i]) <= bound) continue;
     rates.v[i] = std::copysign(bound, rates.v[i]);
     rates.a[i] = 0.0;

@@ -25,8 +25,6 @@ constexpr YamlKeys kSwingProfileMap = {"swing profile", kSwingProfileKeys};
 constexpr YamlKeys kShiftMap = {"shift data", kShiftKeys};
 constexpr YamlKeys kShiftProfileMap = {"shift profile", kShiftProfileKeys};
 
-const std::vector<std::string> kProfiles = {"straight", "triangle", "square", "trapezoid"};
-
 /// When the base is shifted: before the swings, with them, after them.
 const std::vector<std::string> kShifts = {"pre_step", "step", "post_step"};
 
@@ -102,7 +100,7 @@ Footstep read_profile(YamlReader& yaml, const ActionWords& words, const LegMotio
   const bool is_default =
       !type || (yaml.node(type->node).is_scalar() && yaml.node(type->node).text.empty());
   if (!is_default)
-    if (const auto word = yaml.word(*type, kProfiles))
+    if (const auto word = yaml.word(*type, kSwingProfiles))
       step.profile = static_cast<SwingProfile>(*word);
   return step;
 }

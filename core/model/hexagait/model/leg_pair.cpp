@@ -3,9 +3,12 @@
 #include <hexagait/math/lane_sincos.hpp>
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/model/leg_pair.hpp>
+#include <hexagait/model/yaw_and_pitches.hpp>
 
 namespace hexagait {
 namespace {
+
+using detail::twice_atan;
 
 // Rᵀ v, in the order in which Eigen adds.
 LaneVector turned_back(const LegPair& pair, const LaneVector& v) {
@@ -26,16 +29,6 @@ Lanes clamped(Lanes x, Lanes lowest, Lanes highest) {
 // Of half the angle from (c0, s0) to (c1, s1).
 Lanes tan_of_half(Lanes c0, Lanes s0, Lanes c1, Lanes s1) {
   return (s1 * c0 - c1 * s0) / (1.0 + (c1 * c0 + s1 * s0));
-}
-
-// As in yaw_pitch_pitch.cpp.
-Lanes twice_atan(Lanes u) {
-  constexpr double kTerms[] = {-1.0 / 3,  1.0 / 5,  -1.0 / 7,  1.0 / 9,
-                               -1.0 / 11, 1.0 / 13, -1.0 / 15, 1.0 / 17};
-  const Lanes z = u * u;
-  Lanes tail = z * kTerms[7];
-  for (int k = 6; k >= 0; --k) tail = z * (kTerms[k] + tail);
-  return 2.0 * (u + u * tail);
 }
 
 }  // namespace

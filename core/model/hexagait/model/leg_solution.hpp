@@ -21,6 +21,9 @@ struct LegSolution {
   bool reachable = false;           ///< the foot is at the requested place, to 1 nm
 };
 
+/// Targets of feet are clamped to this, so that squares stay finite [m].
+inline constexpr double kFarAway = 1e6;
+
 /// The functions that the kinematics of one kind of leg consist of; kinematics.hpp specifies them
 /// and calls those of a leg's kind.
 template <class Kind>

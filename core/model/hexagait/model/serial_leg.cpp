@@ -15,7 +15,6 @@ constexpr double kLargestStep = 0.5;  // [rad]
 constexpr double kLeastRoom = 0.25;   // a joint at its limit in the stance moves yet [rad]
 constexpr double kSlack = 1e-3;       // foot motion allowed to null-space steps, of max_reach
 constexpr double kNoise = 1e-14;      // rounding of J Jᵀ, of max_reach²
-constexpr double kFarAway = 1e6;  // targets are clamped to this, so that squares stay finite [m]
 
 /// v rotated about the unit vector a (Rodrigues).
 Vector3 turned(const Vector3& v, const Vector3& a, double c, double s) {

@@ -19,7 +19,7 @@ constexpr double kNimble = 0.08;       // dexterity that suffices for a nominal 
 constexpr double kFarFromLimit = 0.3;  // more clearance from a joint limit is no better [rad]
 constexpr double kSameScore = 1e-6;
 constexpr double kIntersecting = 1e-6;  // axes nearer to each other intersect [m]
-constexpr double kSettled = 1e-9;       // change of a squared distance [m²]
+constexpr double kUnchanged = 1e-9;     // of a squared distance [m²]
 
 bool has_steep_first_axis(const LegModel& leg) { return std::abs(leg.axis_B0[0].z()) >= kSteep; }
 
@@ -75,7 +75,7 @@ double extreme_distance(const LegModel& leg, LegJoints q, double sign) {
       q[i] = best_angle(leg.limits[i], zero - a, quarter - a, sign);
     }
     const double now = squared();
-    const bool settled = std::abs(now - last) < kSettled;
+    const bool settled = std::abs(now - last) < kUnchanged;
     last = now;
     if (settled) break;
   }

@@ -21,6 +21,18 @@ namespace hexagait::detail {
   return middle + wrap_angle(q - middle);
 }
 
+/// 2 atan u, for each entry of u. For |u| ≤ YawPitchPitchLeg::kLittle, the rest of the series is below
+/// 3e-18 u.
+template <class Numbers>
+[[nodiscard]] Numbers twice_atan(const Numbers& u) noexcept {
+  constexpr double k3 = -1.0 / 3, k5 = 1.0 / 5, k7 = -1.0 / 7, k9 = 1.0 / 9, k11 = -1.0 / 11;
+  constexpr double k13 = 1.0 / 13, k15 = -1.0 / 15, k17 = 1.0 / 17;
+  const Numbers z = u * u;
+  const Numbers tail =
+      z * (k3 + z * (k5 + z * (k7 + z * (k9 + z * (k11 + z * (k13 + z * (k15 + z * k17)))))));
+  return 2.0 * (u + u * tail);
+}
+
 /// R_BT of the last link's frame T: x to the foot, y along the canonical pitch axis.
 /// @param yaw, pitch  of the last link
 [[nodiscard]] inline Matrix3 last_link_rotation(const LegModel& leg, const portable::SinCos& yaw,

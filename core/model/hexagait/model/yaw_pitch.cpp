@@ -8,7 +8,7 @@
 namespace hexagait {
 namespace {
 
-constexpr double kRounding = 1e-9;  // tolerated excess of a sine over its range
+constexpr double kSineRounding = 1e-9;  // tolerated excess of a sine over its range
 
 double reach(const LegModel& leg, const LegTrig& trig) { return leg.coxa + leg.femur * trig.c[1]; }
 
@@ -21,7 +21,7 @@ struct Arcsine {
 Arcsine arcsine(double s) {
   const double inside = std::clamp(s, -1.0, 1.0);
   return {portable::atan2(inside, std::sqrt(1.0 - inside * inside)),
-          std::abs(s) <= 1.0 + kRounding};
+          std::abs(s) <= 1.0 + kSineRounding};
 }
 
 // The joint value of a canonical angle, moved into its limits; is that exact?

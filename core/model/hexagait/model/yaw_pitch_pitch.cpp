@@ -9,10 +9,10 @@ namespace {
 
 using detail::canonical;
 using detail::joint_value;
+using detail::twice_atan;
 
-constexpr double kRounding = 1e-9;  // tolerated excess over the reach [m]
+constexpr double kReachRounding = 1e-9;  // tolerated excess over the reach [m]
 constexpr double kOnAxis = YawPitchPitchLeg::kOnAxis;
-constexpr double kFarAway = 1e6;  // targets are clamped to this, so that squares stay finite [m]
 
 /// The vertical plane of the leg, and the foot in it.
 struct LegPlane {
@@ -81,16 +81,6 @@ void set_trig(LegTrig& trig, double c, double s, const Bend& bend) {
 // Canonical angles, and one that stays 0: processors compute them in pairs.
 using Angles = Eigen::Array4d;
 
-/// 2 atan u. For |u| ≤ kLittle, the rest of the series is below 3e-18 u.
-Angles twice_atan(const Angles& u) {
-  constexpr double k3 = -1.0 / 3, k5 = 1.0 / 5, k7 = -1.0 / 7, k9 = 1.0 / 9, k11 = -1.0 / 11;
-  constexpr double k13 = 1.0 / 13, k15 = -1.0 / 15, k17 = 1.0 / 17;
-  const Angles z = u * u;
-  const Angles tail =
-      z * (k3 + z * (k5 + z * (k7 + z * (k9 + z * (k11 + z * (k13 + z * (k15 + z * k17)))))));
-  return 2.0 * (u + u * tail);
-}
-
 /// Joint values of solution.trig, by how little they differ from those of `near`; false if they
 /// differ by more.
 bool turn_little(const LegModel& leg, const LegJoints& near, const LegTrig& near_trig,
@@ -158,7 +148,7 @@ LegSolution YawPitchPitchLeg::inverse_kinematics(const LegModel& leg, const Vect
   solution.q.head<3>() << plane.q, joint_value(leg, 1, portable::atan2(bent.s2, bent.c2)),
       joint_value(leg, 2, portable::atan2(bent.s3, bent.c3));
   set_trig(solution.trig, plane.c, plane.s, bent);
-  solution.reachable = plane.contains_foot && std::abs(d - asked) < kRounding;
+  solution.reachable = plane.contains_foot && std::abs(d - asked) < kReachRounding;
   limit(leg, solution);
   return solution;
 }

@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <hexagait/executor/tick_motion.hpp>
 #include <hexagait/script/fill_in.hpp>
 #include <hexagait/script/sequencer.hpp>
 #include <utility>
 
 namespace hexagait {
 namespace {
-
-constexpr double kTimeTolerance = 1e-9;  // [s]
 
 // A slower base counts as at rest [m/s], [rad/s].
 constexpr double kAtRest = 1e-6;

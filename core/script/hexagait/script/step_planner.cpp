@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <hexagait/balance/support_polygon.hpp>
+#include <hexagait/executor/tick_motion.hpp>
 #include <hexagait/script/step_planner.hpp>
 
 namespace hexagait {
@@ -11,8 +12,6 @@ namespace {
 
 // A base that is turned by more than this from its plan starts from its estimated pose instead [rad].
 constexpr double kNearTurn = 0.03;
-
-constexpr double kTimeTolerance = 1e-9;  // [s]
 
 // Legs that the commands of a step lift.
 LegSet lifted_by(const action::Step& step) {

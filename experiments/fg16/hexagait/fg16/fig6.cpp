@@ -18,12 +18,11 @@
 namespace hexagait::experiments {
 namespace {
 
-constexpr const char* kTerrain = "step:0.12";
-const Route kRoute = {};
+const Route kUpTheStep = {};
 const std::array<PlanarPose, 4> kStarts = {
     {{0.0, {0.0, 0.0}}, {0.07, {-0.08, 0.05}}, {-0.10, {0.06, -0.06}}, {0.10, {-0.05, -0.08}}}};
-constexpr std::size_t kBlocked = 3;  // the trial with a blocked foothold
-constexpr std::size_t kShown = 0;    // the trial that the experiment shows
+constexpr std::size_t kBlocked = 3;     // the trial with a blocked foothold
+constexpr std::size_t kShownTrial = 0;  // the trial that the experiment shows
 
 // A push every 2.5 s, of half the robot's weight: left, right, back, left.
 const std::array<Vector3, 4> kPushes = {
@@ -50,7 +49,7 @@ Climb climb(std::size_t trial, const ExperimentContext& context,
             std::vector<sim3d::Block>& blocks) {
   const RobotModel& robot = *context.robot;
   const sim3d::TerrainSpec terrain = sim3d::parse_terrain(kTerrain);
-  const auto footholds = footholds_along(kRoute, robot, sim3d::Terrain(terrain, 1));
+  const auto footholds = footholds_along(kUpTheStep, robot, sim3d::Terrain(terrain, 1));
   sim3d::WorldParams params;
   params.start = kStarts[trial];
   if (trial == kBlocked)
@@ -60,7 +59,7 @@ Climb climb(std::size_t trial, const ExperimentContext& context,
 
   Climb climb;
   ActionRunner runner(robot);
-  Spectator* const spectator = trial == kShown ? context.spectator : nullptr;
+  Spectator* const spectator = trial == kShownTrial ? context.spectator : nullptr;
   if (spectator != nullptr) spectator->begin_action(robot, params);
   double next_push = kPushPeriod + 0.3 * static_cast<double>(trial);
   const auto observe = [&](const ActionRecord& record, const GroundTruth& truth) {
@@ -150,7 +149,7 @@ std::vector<Verdict> judge(const Climbs& climbs, const RobotModel& robot) {
   for (const Climb& c : climbs)
     judged.push_back({c.summary, c.tracks.swing_errors(), c.tracks.touchdowns()});
   const auto footholds =
-      footholds_along(kRoute, robot, sim3d::Terrain(sim3d::parse_terrain(kTerrain), 1));
+      footholds_along(kUpTheStep, robot, sim3d::Terrain(sim3d::parse_terrain(kTerrain), 1));
   const Foothold& blocked = footholds[kBlockedPair][kBlockedFoot];
   return judge_climbs(judged, judged[kBlocked], blocked.leg, blocked.p_MF);
 }

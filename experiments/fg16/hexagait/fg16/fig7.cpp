@@ -19,11 +19,10 @@
 namespace hexagait::experiments {
 namespace {
 
-constexpr const char* kTerrain = "step:0.12";
-const Route kRoute = {.start = -1.8};  // 2.4 m on the level, then up the step
-constexpr double kYawError = 0.0175;   // of the joints' zeros, 1°: drifts by 5 cm over 3 m [rad]
+const Route kLevelThenUp = {.start = -1.8};  // 2.4 m on the level, then up the step
+constexpr double kYawError = 0.0175;  // of the joints' zeros, 1°: drifts by 5 cm over 3 m [rad]
 constexpr std::uint64_t kSeed = 1;
-constexpr LegId kShown = 0;     // LF
+constexpr LegId kShownLeg = 0;  // LF
 constexpr double kZoom = 20.0;  // of its track, from here on [s]
 
 struct Walk {
@@ -38,7 +37,7 @@ Walk walk(Map map, const ExperimentContext& context) {
   const RobotModel& robot = *context.robot;
   const sim3d::TerrainSpec terrain = sim3d::parse_terrain(kTerrain);
   sim3d::WorldParams params;
-  params.start.shift = {kRoute.start, 0.0};
+  params.start.shift = {kLevelThenUp.start, 0.0};
   sim3d::World world(robot, terrain, params, walk::nominal_posture(robot));
   MiscalibratedPlant plant(world, robot, kYawError);
 
@@ -58,7 +57,7 @@ Walk walk(Map map, const ExperimentContext& context) {
     walk.tracks.observe(runner, runner.frames().X_OM, truth);
     return !context.stopped();
   };
-  const auto footholds = footholds_along(kRoute, robot, world.terrain());
+  const auto footholds = footholds_along(kLevelThenUp, robot, world.terrain());
   const action::Action action = walk_on(footholds, "walk in the map");
   walk.summary = walk::run_action(runner, plant, world.truth(), action, options, observe);
   return walk;
@@ -66,7 +65,7 @@ Walk walk(Map map, const ExperimentContext& context) {
 
 // How far the base is when this foothold is the foot's place under it [m].
 double way(const FootTracks::Touchdown& t, const RobotModel& robot) {
-  return t.foothold.x() - robot.legs[t.leg].p_BC.x() - kRoute.start;
+  return t.foothold.x() - robot.legs[t.leg].p_BC.x() - kLevelThenUp.start;
 }
 
 // The foot that is shown, in three frames; and all touchdowns of both walks.
@@ -76,7 +75,7 @@ void write_tracks(figures::StagedFiles& files, const Walk& combined, const Walk&
       "time_s,localised_x_m,localised_y_m,localised_z_m,odometry_x_m,odometry_y_m,odometry_z_m,"
       "x_m,y_m,z_m");
   for (const FootTracks::Sample& s : combined.tracks.samples())
-    foot.row(s.time, s.by_localisation[kShown], s.by_odometry[kShown], s.reached[kShown]);
+    foot.row(s.time, s.by_localisation[kShownLeg], s.by_odometry[kShownLeg], s.reached[kShownLeg]);
   figures::Csv touchdowns(
       "odometry_only,leg,way_m,foothold_x_m,foothold_y_m,foothold_z_m,x_m,y_m,z_m,error_m");
   for (const Walk* walk : {&combined, &odometry})
@@ -97,10 +96,10 @@ void draw(figures::StagedFiles& files, const ExperimentContext& context, const W
           fmt::format("{} · {:.1f} m by footholds in the map · odometry is off by {:.1f} cm in the "
                       "end, for yaw joints that are off by {:.1f}° · a fix every {} s · after "
                       "[FG16] Fig. 7",
-                      robot.name, kRoute.end - kRoute.start,
+                      robot.name, kLevelThenUp.end - kLevelThenUp.start,
                       100.0 * combined.summary.odometry_position,
                       kYawError * 180.0 / std::numbers::pi, JumpingLocalisation::Params{}.period)),
-      {{"y_min", robot.legs[kShown].p_BC.y() - 0.045}, {"zoom", kZoom}, {"step_x", kStepBegins}},
+      {{"y_min", robot.legs[kShownLeg].p_BC.y() - 0.045}, {"zoom", kZoom}, {"step_x", kStepBegins}},
       scripts::fg16::fig7);
 }
 
@@ -113,7 +112,7 @@ std::vector<double> errors_from(const Walk& walk, double from, const RobotModel&
 }
 
 LocalisedWalk judged(const Walk& walk, const RobotModel& robot) {
-  const double last_metre = kRoute.end - kRoute.start - 1.0;
+  const double last_metre = kLevelThenUp.end - kLevelThenUp.start - 1.0;
   return {walk.summary, walk.tracks.commanded_jump(), walk.tracks.localised_jump(),
           errors_from(walk, last_metre, robot), errors_from(walk, -1.0, robot)};
 }
@@ -126,9 +125,9 @@ Outcome fg16_fig7(const ExperimentContext& context, figures::StagedFiles& files)
   const Walk odometry = walk(Map::odometry_only, context);
   if (context.stopped()) return {};
   draw(files, context, combined, odometry);
-  return {.verdicts =
-              judge_localised(judged(combined, *context.robot), judged(odometry, *context.robot),
-                              kRoute.end - kRoute.start, JumpingLocalisation::Params{}.shift),
+  return {.verdicts = judge_localised(
+              judged(combined, *context.robot), judged(odometry, *context.robot),
+              kLevelThenUp.end - kLevelThenUp.start, JumpingLocalisation::Params{}.shift),
           .settings = {{"robot", context.robot->name},
                        {"terrain", kTerrain},
                        {"seed", std::to_string(kSeed)},

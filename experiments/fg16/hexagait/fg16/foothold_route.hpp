@@ -10,6 +10,9 @@
 
 namespace hexagait::experiments {
 
+/// The ground of both figures.
+inline constexpr const char* kTerrain = "step:0.12";
+
 /// Where terrain "step:H" goes up: the front end of its start pad [m].
 inline constexpr double kStepBegins = 0.6;
 

@@ -15,19 +15,18 @@ namespace {
 
 using heading_control::Heading;
 
-constexpr double kSeconds = 50.0;
-constexpr double kRadius = 2.0;      // [m]
-constexpr double kRoughness = 0.15;  // half of the body's height [m]
-constexpr int kOthers = 7;           // walks on other terrains
+constexpr double kRadius = 2.0;       // [m]
+constexpr double kHighestBox = 0.15;  // half of the body's height [m]
+constexpr int kOthers = 7;            // walks on other terrains
 
 }  // namespace
 
 Outcome fig10(const ExperimentContext& context, figures::StagedFiles& files) {
   recording::Simulation simulation;
   simulation.plant = context.plant;
-  simulation.terrain = {sim3d::TerrainKind::boxes, kRoughness};
+  simulation.terrain = {sim3d::TerrainKind::boxes, kHighestBox};
   simulation.trial.schedule = {{0.0, Heading::arc(kRadius, 0.0)}};
-  simulation.trial.seconds = context.short_form ? 10.0 : kSeconds;
+  simulation.trial.seconds = context.short_form ? 10.0 : 50.0;
 
   const auto [recording, summary] = record(context, simulation);
   std::vector<walk::Summary> others;
@@ -42,7 +41,7 @@ Outcome fig10(const ExperimentContext& context, figures::StagedFiles& files) {
       files,
       context.figure(
           "fig10", 0, 0,
-          fmt::format("A turn to the left over boxes of up to {:.0f} cm", 100.0 * kRoughness),
+          fmt::format("A turn to the left over boxes of up to {:.0f} cm", 100.0 * kHighestBox),
           fmt::format("{} · r = {:.1f} m · {:.1f} m in {:.0f} s · at most {:.1f} cm off "
                       "the commanded curve · after [PC04] Fig. 10",
                       context.robot->name, kRadius, summary.distance, summary.seconds,

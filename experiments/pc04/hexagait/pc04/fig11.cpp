@@ -13,7 +13,7 @@
 namespace hexagait::experiments {
 namespace {
 
-constexpr double kSeconds = 90.0, kPeriod = 6.0;  // of the walk, and between commands [s]
+constexpr double kPeriod = 6.0;  // between commands [s]
 
 // Angle by which the body's direction of motion changes at once; of a turn in place there is none.
 double sharpest_change(const walk::Schedule& schedule, const RobotModel& robot) {
@@ -54,7 +54,7 @@ Outcome fig11(const ExperimentContext& context, figures::StagedFiles& files) {
   of_spider.robot = &spider;
   recording::Simulation simulation;
   simulation.plant = context.plant;
-  simulation.trial.seconds = context.short_form ? 2.0 * kPeriod : kSeconds;
+  simulation.trial.seconds = context.short_form ? 2.0 * kPeriod : 90.0;
   simulation.trial.schedule = walk::random_schedule(
       simulation.seed, kPeriod, simulation.trial.seconds, walk::tightest_radius(spider));
 

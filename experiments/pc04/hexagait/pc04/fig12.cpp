@@ -20,7 +20,6 @@ using heading_control::Turn;
 
 constexpr double kServo = 0.05;                               // 20 Hz [s]
 constexpr double kPeriods[] = {0.0, 0.02, kServo, 0.1, 0.2};  // 0: smooth [s]
-constexpr double kSeconds = 20.0;
 
 struct Course {
   const char* name;
@@ -75,7 +74,7 @@ DisplacementWalk walked(const ExperimentContext& context, const RobotModel& robo
                         const Course& course, double period) {
   recording::Simulation simulation;
   simulation.trial.schedule = {{0.0, course.heading}};
-  simulation.trial.seconds = context.short_form ? 4.0 : kSeconds;
+  simulation.trial.seconds = context.short_form ? 4.0 : 20.0;
   simulation.params.base.displacement_period = period;
   FootSlips slips(robot, params_for(robot).referee.bounce);
   const auto observe = [&](const auto&, const GroundTruth& truth, const auto&) {

@@ -16,8 +16,8 @@
 namespace hexagait::experiments {
 namespace {
 
-constexpr int kShown = 72;      // slices: two periods of the slow wave
-constexpr int kSettling = 720;  // slices before: the gait has long settled
+constexpr int kShownSlices = 72;  // slices: two periods of the slow wave
+constexpr int kSettling = 720;    // slices before: the gait has long settled
 
 std::vector<WaveGait> family() {
   return {{"5/6", "wave:0.8333333333333334", "ABC"},
@@ -68,13 +68,13 @@ void walk(WaveGait& gait, std::size_t panel, figures::Csv& steps, figures::Csv& 
   sim2d::SliceRobot robot = settled_robot(gait);
   std::vector<sim2d::SliceRecord> records;
   std::string types;
-  for (int slice = 0; slice < kShown; ++slice) {
+  for (int slice = 0; slice < kShownSlices; ++slice) {
     const sim2d::SliceRecord& record = records.emplace_back(robot.advance());
     ++gait.slices;
     gait.slices_not_ccn_3 += record.gait.state.ccn() == 3 ? 0 : 1;
     if (record.lifted.empty()) continue;
     types += letter_of(type_of(record.gait.state));
-    if (slice < kShown / 2)
+    if (slice < kShownSlices / 2)
       gait.lifts += fmt::format("{}{}", gait.lifts.empty() ? "" : " · ", numbers(record.lifted));
   }
   gait.found = period_of(types);

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <hexagait/figures/csv.hpp>
 #include <hexagait/figures/drawing.hpp>
+#include <hexagait/pc04/gait_tables.hpp>
 #include <hexagait/pc04/judges.hpp>
 #include <hexagait/pc04/pc04.hpp>
 #include <map>
@@ -22,7 +23,6 @@ namespace {
 
 using gait_state::GaitState;
 
-constexpr int kLegs = 6;
 // By the number of legs that step together.
 constexpr std::array<const char*, 4> kColour = {"", "left_side", "right_side", "accent"};
 

@@ -14,12 +14,12 @@
 namespace hexagait::experiments {
 namespace {
 
-constexpr int kShown = 72;  // slices
+constexpr int kFirstSlices = 72;  // slices
 constexpr std::uint64_t kSeed = 1;
-constexpr std::array<const char*, 3> kGaits = {"tripod", "free", "unadjusted"};
+constexpr std::array<const char*, 3> kGenerators = {"tripod", "free", "unadjusted"};
 
 sim2d::SliceConfig config_of(const std::string& gait) {
-  return {.gait = gait_state::parse_gait_choice(gait).value(), .slices = kShown};
+  return {.gait = gait_state::parse_gait_choice(gait).value(), .slices = kFirstSlices};
 }
 
 // The first trial that starts with CCN = 2; all three generators start from it.
@@ -37,8 +37,8 @@ FirstSteps walk(const std::string& gait, std::uint32_t trial) {
                       walk.advance.push_back(record.advance);
                       walk.most_lifts = std::max(walk.most_lifts, record.airborne.size());
                     });
-  for (int slice = kShown / 2; slice < kShown; ++slice)
-    walk.mean += walk.advance[static_cast<std::size_t>(slice)] / (0.5 * kShown);
+  for (int slice = kFirstSlices / 2; slice < kFirstSlices; ++slice)
+    walk.mean += walk.advance[static_cast<std::size_t>(slice)] / (0.5 * kFirstSlices);
   return walk;
 }
 
@@ -47,10 +47,10 @@ FirstSteps walk(const std::string& gait, std::uint32_t trial) {
 Outcome fig6(const ExperimentContext& context, figures::StagedFiles& files) {
   const std::uint32_t trial = trial_with_ccn_2();
   std::array<FirstSteps, 3> walks;
-  for (std::size_t k = 0; k < kGaits.size(); ++k) walks[k] = walk(kGaits[k], trial);
+  for (std::size_t k = 0; k < kGenerators.size(); ++k) walks[k] = walk(kGenerators[k], trial);
 
   figures::Csv csv("slice,tripod,free,unadjusted");
-  for (std::size_t slice = 0; slice < kShown; ++slice)
+  for (std::size_t slice = 0; slice < kFirstSlices; ++slice)
     csv.row(slice, walks[0].advance[slice], walks[1].advance[slice], walks[2].advance[slice]);
   files.write("fig6.csv", csv.text());
   figures::draw_figure(
@@ -65,7 +65,7 @@ Outcome fig6(const ExperimentContext& context, figures::StagedFiles& files) {
   return {.verdicts = judge_fig6(walks),
           .settings = {{"seed", std::to_string(kSeed)},
                        {"trial", std::to_string(trial)},
-                       {"slices", std::to_string(kShown)},
+                       {"slices", std::to_string(kFirstSlices)},
                        {"terrain", "flat"}}};
 }
 

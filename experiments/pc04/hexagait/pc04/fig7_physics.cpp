@@ -19,10 +19,9 @@
 namespace hexagait::experiments {
 namespace {
 
-const std::vector<std::string> kGaits = {"tripod", "free", "unadjusted"};
-constexpr std::array<int, 5> kRoughness = {0, 2, 4, 6, 8};  // [cm]
+const std::vector<std::string> kGenghisGaits = {"tripod", "free", "unadjusted"};
+constexpr std::array<int, 5> kHeights = {0, 2, 4, 6, 8};  // [cm]
 constexpr int kSeeds = 20;
-constexpr double kSeconds = 60.0;
 constexpr double kTransient = 12.0;  // the start, from a random posture [s]
 constexpr double kPosture = 0.025;   // feet start displaced by up to half a stroke [m]
 
@@ -47,7 +46,7 @@ GenghisComparison::Run walk(const std::string& gait, const std::string& terrain,
   return result;
 }
 
-std::string spelt(const statistics::Estimate& e) {
+std::string with_interval(const statistics::Estimate& e) {
   return fmt::format("{:.2f} ± {:.2f}", e.mean, e.half_width);
 }
 
@@ -61,22 +60,22 @@ figures::Csv write_tables(figures::StagedFiles& files,
       "gait_number,roughness_cm,seed,speed_cm_s,settled_cm_s,steps,tripod_after,blocked,searches,"
       "slip_m,pitch_max_rad,ok,hash");
   for (std::size_t k = 0; k < grounds.size(); ++k)
-    for (std::size_t gait = 0; gait < kGaits.size(); ++gait) {
+    for (std::size_t gait = 0; gait < kGenghisGaits.size(); ++gait) {
       const GenghisComparison& ground = grounds[k];
       const statistics::Estimate speed = statistics::estimate(ground.speeds(gait)),
                                  ahead = ground.ahead_of_first(gait);
-      means.row(gait, kRoughness[k], speed.mean, speed.half_width, ahead.mean, ahead.half_width);
+      means.row(gait, kHeights[k], speed.mean, speed.half_width, ahead.mean, ahead.half_width);
       int seed = 0, steps = 0, failed = 0;
       for (const auto& [s, settled] : ground.runs[gait]) {
-        trials.row(gait, kRoughness[k], ++seed, 1e2 * s.speed, 1e2 * settled, s.steps,
+        trials.row(gait, kHeights[k], ++seed, 1e2 * s.speed, 1e2 * settled, s.steps,
                    s.tripod_after_steps.value_or(-1), s.side_view.blocked, s.side_view.searches,
                    s.slip_mean, s.pitch_max, s.ok(), fmt::format("{:016x}", s.state_hash));
         steps += s.steps;
         failed += !s.ok();
       }
-      table.row(ground.terrain, kGaits[gait], spelt(speed),
-                spelt(statistics::estimate(ground.settled_speeds(gait))),
-                gait == 0 ? "–" : spelt(ahead), steps, failed);
+      table.row(ground.terrain, kGenghisGaits[gait], with_interval(speed),
+                with_interval(statistics::estimate(ground.settled_speeds(gait))),
+                gait == 0 ? "–" : with_interval(ahead), steps, failed);
     }
   figures::write_tables(files, "fig7_physics", {{"means", means}, {"trials", trials}});
   return table;
@@ -87,20 +86,20 @@ figures::Csv write_tables(figures::StagedFiles& files,
 Outcome fig7_physics(const ExperimentContext& context, figures::StagedFiles& files) {
   const auto begin = std::chrono::steady_clock::now();
   const int seeds = context.short_form ? 2 : kSeeds;
-  const double length = context.short_form ? 16.0 : kSeconds;
+  const double length = context.short_form ? 16.0 : 60.0;
   std::vector<GenghisComparison> grounds;
   std::size_t done = 0;
-  for (const int roughness : kRoughness) {
-    GenghisComparison& ground = grounds.emplace_back(
-        GenghisComparison{.terrain = fmt::format("rough:{}cm", roughness),
-                          .gaits = kGaits,
-                          .runs = std::vector<std::vector<GenghisComparison::Run>>(kGaits.size()),
-                          .scale = 1e2});
+  for (const int roughness : kHeights) {
+    GenghisComparison& ground = grounds.emplace_back(GenghisComparison{
+        .terrain = fmt::format("rough:{}cm", roughness),
+        .gaits = kGenghisGaits,
+        .runs = std::vector<std::vector<GenghisComparison::Run>>(kGenghisGaits.size()),
+        .scale = 1e2});
     for (int seed = 1; seed <= seeds; ++seed) {
-      for (std::size_t gait = 0; gait < kGaits.size(); ++gait)
-        ground.runs[gait].push_back(walk(kGaits[gait], ground.terrain,
+      for (std::size_t gait = 0; gait < kGenghisGaits.size(); ++gait)
+        ground.runs[gait].push_back(walk(kGenghisGaits[gait], ground.terrain,
                                          static_cast<std::uint64_t>(seed), length, context.stop));
-      context.tell(++done, static_cast<std::size_t>(seeds) * kRoughness.size());
+      context.tell(++done, static_cast<std::size_t>(seeds) * kHeights.size());
       if (context.stopped()) return {};
     }
   }

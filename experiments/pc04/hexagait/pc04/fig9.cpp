@@ -16,7 +16,6 @@ namespace {
 using heading_control::Heading;
 using heading_control::Turn;
 
-constexpr double kSeconds = 56.0;
 constexpr double kShort = 0.2;  // of all times, in the short form
 
 // @param share  of the times
@@ -35,7 +34,7 @@ Outcome fig9(const ExperimentContext& context, figures::StagedFiles& files) {
   recording::Simulation simulation;
   simulation.plant = context.plant;
   simulation.trial.schedule = trajectory(share);
-  simulation.trial.seconds = share * kSeconds;
+  simulation.trial.seconds = share * 56.0;
   std::vector<double> instants = {0.0, 6.0, 15.5, 21.5, 27.0, 34.0, 42.0, 55.0};
   for (double& time : instants) time *= share;
 

@@ -8,6 +8,9 @@
 
 namespace hexagait::experiments {
 
+/// Of the robots of the paper's tables and of Fig. 4.
+inline constexpr int kLegs = 6;
+
 /// 'A' … 'D', or '-' for none.
 [[nodiscard]] char letter_of(gait_state::GaitType type);
 

@@ -16,8 +16,6 @@ namespace {
 
 using gait_state::GaitState;
 
-constexpr int kLegs = 6;
-
 std::string spaced(const std::string& state) {
   std::string text;
   for (const char relation : state)

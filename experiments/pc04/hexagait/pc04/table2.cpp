@@ -18,7 +18,6 @@ namespace {
 
 using gait_state::GaitState;
 
-constexpr int kLegs = 6;
 constexpr std::size_t kRows = 15;
 
 // The legs by their letters a … f: ring positions 0 … 5 (legs 1, 2, 4, 6, 5, 3 in the paper).

@@ -5,19 +5,18 @@
 #include <hexagait/figures/csv.hpp>
 #include <hexagait/recording/figures/action.gp.hpp>
 #include <hexagait/recording/figures/action_figure.hpp>
+#include <hexagait/recording/figures/detail/sheet.hpp>
 
 namespace hexagait::recording {
 namespace {
 
-constexpr int kWidth = 1500, kHeight = 1000;  // [px]
-constexpr double kInterval = 0.02;            // between samples [s]
+constexpr double kInterval = 0.02;  // between samples [s]
 
+using detail::kHeight;
+using detail::kWidth;
 using figures::Box;
 using figures::Csv;
 using figures::Panel;
-
-constexpr Panel kAbove = {0.05, 0.475, 0.42, 0.86}, kSide = {0.55, 0.985, 0.42, 0.86},
-                kMargin = {0.05, 0.985, 0.07, 0.31};
 
 // Of the coordinates k and l of everything that is drawn, with room around it, and widened to the
 // panel's proportions: a metre is as long across as up.
@@ -111,6 +110,8 @@ void draw_action(figures::StagedFiles& files, figures::Figure figure,
     y.push_back(recording.samples().front().feet[i].y());
   }
   const auto [bottom, top] = margin_range(recording);
+  constexpr Panel kAbove = {0.05, 0.475, 0.42, 0.86}, kSide = {0.55, 0.985, 0.42, 0.86},
+                  kMargin = {0.05, 0.985, 0.07, 0.31};
   draw_figure(files, figure,
               {{"above", kAbove},
                {"side", kSide},

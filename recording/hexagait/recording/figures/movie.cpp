@@ -16,9 +16,9 @@ namespace {
 using figures::Box;
 using figures::Panel;
 
-constexpr double kWidth = 720.0;                                               // [px]
-constexpr double kTallest = 460.0;                                             // of a panel [px]
-constexpr double kTop = 34.0, kBetween = 34.0, kBottom = 10.0, kAside = 10.0;  // [px]
+constexpr double kFrameWidth = 720.0;                                           // [px]
+constexpr double kTallestPanel = 460.0;                                         // of a panel [px]
+constexpr double kTop = 34.0, kBetween = 34.0, kBottom = 10.0, kBeside = 10.0;  // [px]
 
 // What both panels show; a metre is as long in one as in the other.
 struct Camera {
@@ -43,10 +43,10 @@ Camera camera(const Recording& recording, const RobotView& view,
     }
   }
   camera.above = camera.above.grown(0.05 * length);
-  const double across = kWidth - 2.0 * kAside;
+  const double across = kFrameWidth - 2.0 * kBeside;
   const double widest = std::max(camera.side.size().x(), camera.above.size().x());
   const double tallest = std::max(camera.side.size().y(), camera.above.size().y());
-  camera.scale = std::min(across / widest, kTallest / tallest);
+  camera.scale = std::min(across / widest, kTallestPanel / tallest);
   for (Box* box : {&camera.side, &camera.above}) {
     const double spare = 0.5 * (across / camera.scale - box->size().x());
     box->least.x() -= spare;
@@ -94,7 +94,7 @@ void draw_movie(figures::StagedFiles& files, const std::string& stem, const Reco
   const double side = std::round(seen.scale * seen.side.size().y());
   const double above = std::round(seen.scale * seen.above.size().y());
   const double height = kTop + side + kBetween + above + kBottom;
-  const double left = kAside / kWidth, right = 1.0 - left;
+  const double left = kBeside / kFrameWidth, right = 1.0 - left;
 
   figures::write_tables(files, stem + "-movie",
                         {{"side", view.side(frames)},
@@ -109,7 +109,7 @@ void draw_movie(figures::StagedFiles& files, const std::string& stem, const Reco
 
   const figures::Variables variables = {
       {"stem", stem + "-movie"},
-      {"width", kWidth},
+      {"width", kFrameWidth},
       {"height", height},
       {"delay", 100.0 * Recording::kSampling * options.samples_per_frame},
       {"frames", static_cast<double>(frames.size())},

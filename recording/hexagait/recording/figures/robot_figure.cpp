@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/recording/figures/detail/robot_tables.hpp>
+#include <hexagait/recording/figures/detail/sheet.hpp>
 #include <hexagait/recording/figures/robot.gp.hpp>
 #include <hexagait/recording/figures/robot_figure.hpp>
 #include <hexagait/recording/figures/robot_view.hpp>
@@ -10,10 +11,10 @@
 namespace hexagait::recording {
 namespace {
 
-constexpr int kWidth = 1500, kHeight = 1000;  // [px]
-
 using detail::body_table;
 using detail::bounds;
+using detail::kHeight;
+using detail::kWidth;
 using detail::legs_table;
 using detail::stance_of;
 using figures::Box;

@@ -4,14 +4,18 @@
 
 #include <algorithm>
 #include <hexagait/recording/figures/detail/robot_tables.hpp>
+#include <hexagait/recording/figures/detail/sheet.hpp>
 #include <hexagait/recording/figures/robot_sheet.gp.hpp>
 #include <hexagait/recording/figures/robot_sheet.hpp>
 
 namespace hexagait::recording {
 namespace {
 
-constexpr int kColumns = 4;
-constexpr int kWidth = 1500, kRow = 420, kTitles = 90;  // [px]
+using detail::kColumns;
+using detail::kTitles;
+using detail::kWidth;
+
+constexpr int kRobotRow = 420;  // [px]
 
 using figures::Box;
 using figures::Panel;
@@ -19,9 +23,9 @@ using figures::Panel;
 // Robot k's part of the sheet, from above or from the side.
 Panel place(int k, int rows, bool above) {
   const int down = k / kColumns;
-  const double height = rows * kRow + kTitles;
+  const double height = rows * kRobotRow + kTitles;
   const double left = (0.02 + k % kColumns) / kColumns;
-  const double top = (height - kTitles - kRow * down) / height, row = kRow / height;
+  const double top = (height - kTitles - kRobotRow * down) / height, row = kRobotRow / height;
   const double from = above ? 0.42 : 0.13, to = above ? 0.90 : 0.38;
   return {left, left + 0.96 / kColumns, top - (1.0 - from) * row, top - (1.0 - to) * row};
 }
@@ -32,7 +36,7 @@ void draw_robots(figures::StagedFiles& files, figures::Figure figure,
                  std::span<const Pictured> robots) {
   const int count = static_cast<int>(robots.size()), rows = (count + kColumns - 1) / kColumns;
   figure.width = kWidth;
-  figure.height = rows * kRow + kTitles;
+  figure.height = rows * kRobotRow + kTitles;
   figures::Variables variables;
   std::vector<std::string> names, captions;
   std::vector<double> grounds;

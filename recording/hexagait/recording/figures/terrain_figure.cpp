@@ -4,14 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <hexagait/recording/figures/detail/sheet.hpp>
 #include <hexagait/recording/figures/terrain_figure.gp.hpp>
 #include <hexagait/recording/figures/terrain_figure.hpp>
 
 namespace hexagait::recording {
 namespace {
 
-constexpr int kColumns = 4;
-constexpr int kWidth = 1500, kRow = 270, kTitles = 90;      // [px]
+using detail::kColumns;
+using detail::kTitles;
+using detail::kWidth;
+
+constexpr int kTerrainRow = 270;                            // [px]
 constexpr double kBack = -0.9, kAhead = 4.5, kAside = 1.5;  // [m]
 constexpr double kGrid = 0.05;                              // [m]
 constexpr double kColoured = 0.25;                          // height of the last colour [m]
@@ -45,7 +49,7 @@ void draw_terrains(figures::StagedFiles& files, figures::Figure figure,
   const int count = static_cast<int>(terrains.size()), columns = std::min(count, kColumns);
   const int rows = (count + kColumns - 1) / kColumns;
   figure.width = kWidth;
-  figure.height = count == 1 ? 900 : rows * kRow + kTitles;
+  figure.height = count == 1 ? 900 : rows * kTerrainRow + kTitles;
   std::vector<std::string> names;
   for (int k = 0; k < count; ++k) {
     const auto& [name, terrain] = terrains[static_cast<std::size_t>(k)];

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <hexagait/recording/figures/detail/sheet.hpp>
 #include <hexagait/recording/figures/robot_view.hpp>
 #include <hexagait/recording/figures/walk.gp.hpp>
 #include <hexagait/recording/figures/walk_figure.hpp>
@@ -11,13 +12,13 @@
 namespace hexagait::recording {
 namespace {
 
+using detail::kWidth;
 using figures::Box;
 using figures::Panel;
 
-constexpr int kWidth = 1500;      // [px]
-constexpr int kTitles = 125;      // above the side view [px]
-constexpr int kBelow = 930;       // for the panels below it [px]
-constexpr double kTallest = 420;  // side view [px]
+constexpr int kAboveSide = 125;       // above the side view [px]
+constexpr int kBelow = 930;           // for the panels below it [px]
+constexpr double kTallestSide = 420;  // side view [px]
 constexpr double kLeft = 0.05, kRight = 0.985;
 
 // Where the panels below the side view stand, in shares of 1000 px. A long path lies across, any
@@ -53,7 +54,7 @@ SidePanel side_panel(const Recording& recording, const RobotView& view) {
   }
   const double pixels = kWidth * (kRight - kLeft);
   const Vector2 size = side.shown.size();
-  const double scale = std::min(pixels / size.x(), kTallest / size.y());
+  const double scale = std::min(pixels / size.x(), kTallestSide / size.y());
   const double spare = 0.5 * (pixels / scale - size.x());
   side.shown.least.x() -= spare;
   side.shown.greatest.x() += spare;
@@ -100,14 +101,14 @@ void draw_walk(figures::StagedFiles& files, figures::Figure figure, const Record
   const Box ground = drawn_ground(recording);
   const Layout& layout = ground.size().x() > 1.6 * ground.size().y() ? kLong : kSquare;
   figure.width = kWidth;
-  figure.height = static_cast<int>(std::lround(kTitles + side.height + kBelow));
+  figure.height = static_cast<int>(std::lround(kAboveSide + side.height + kBelow));
   const auto placed = [&](Panel panel) {
     panel.bottom *= 1000.0 / figure.height;
     panel.top *= 1000.0 / figure.height;
     return panel;
   };
   const Panel path = placed(layout.path);
-  const double top = 1.0 - static_cast<double>(kTitles) / figure.height;
+  const double top = 1.0 - static_cast<double>(kAboveSide) / figure.height;
 
   const auto shown = instants(recording, side.shown, 1.1 * view.body_length());
   figures::write_tables(files, figure.stem,

@@ -12,6 +12,7 @@
 #include <hexagait/sim/fnv1a.hpp>
 #include <hexagait/sweep/detail/journal.hpp>
 #include <hexagait/sweep/detail/made_directory.hpp>
+#include <hexagait/sweep/detail/write_all.hpp>
 #include <hexagait/sweep/sweep.hpp>
 #include <thread>
 
@@ -42,17 +43,6 @@ std::optional<std::string_view> content(std::string_view line) {
 // The whole number that a text begins with.
 bool number(std::string_view text, std::uint64_t& value) {
   return std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc();
-}
-
-// Writes all of it. @returns errno, or 0
-int write_all(int file, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = write(file, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return errno;
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return 0;
 }
 
 bool has_first_line(const std::filesystem::path& path) {

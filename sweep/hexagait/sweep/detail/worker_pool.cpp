@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <cstring>
 #include <hexagait/sweep/detail/worker_pool.hpp>
+#include <hexagait/sweep/detail/write_all.hpp>
 #include <stdexcept>
 
 namespace hexagait::sweep {
@@ -21,16 +22,10 @@ using Clock = std::chrono::steady_clock;
 // A process that did not run for so long was stopped, or its machine slept: no worker is to blame.
 constexpr std::chrono::seconds kPause{5};
 
-bool write_all(int file, const void* bytes, std::size_t size) {
-  const char* from = static_cast<const char*>(bytes);
-  while (size > 0) {
-    const ssize_t written = write(file, from, size);
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return false;
-    from += written;
-    size -= static_cast<std::size_t>(written);
-  }
-  return true;
+// As it lies in memory: parent and worker are one program.
+template <class Value>
+std::string_view bytes_of(const Value& value) {
+  return {reinterpret_cast<const char*>(&value), sizeof value};
 }
 
 bool read_all(int file, void* bytes, std::size_t size) {
@@ -52,8 +47,7 @@ void serve(int requests, int answers, const WorkerPool::Work& work) {
     std::string lines;
     for (std::uint64_t k = 0; k < chunk.count; ++k) lines += work(chunk.first + k);
     const std::uint64_t size = lines.size();
-    if (!write_all(answers, &size, sizeof size) || !write_all(answers, lines.data(), lines.size()))
-      return;
+    if (write_all(answers, bytes_of(size)) != 0 || write_all(answers, lines) != 0) return;
   }
 }
 
@@ -120,7 +114,7 @@ void WorkerPool::assign(const Chunk& chunk) {
   worker->chunk = chunk;
   worker->since = Clock::now();
   // If it is dead, wait() finds that it has closed its end.
-  static_cast<void>(write_all(worker->requests, &chunk, sizeof chunk));
+  static_cast<void>(write_all(worker->requests, bytes_of(chunk)));
 }
 
 std::vector<Answer> WorkerPool::wait(std::chrono::milliseconds patience) {

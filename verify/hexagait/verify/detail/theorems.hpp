@@ -7,6 +7,9 @@
 /// One function per theorem: it checks every case and reports the first counterexample.
 namespace hexagait::verify {
 
+inline constexpr int kLegs = 6;             ///< where a theorem is about six
+inline constexpr double kTolerance = 1e-3;  ///< ε of the lags [m]
+
 /// The 62 states of six legs by CCN and type: one class up to rotation in each cell ([PC04] Table
 /// 1).
 [[nodiscard]] Theorem states(const Rules& rules, const Scope& scope);

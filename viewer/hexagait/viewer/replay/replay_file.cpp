@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint32_t kBlock = 256;         // frames that are compressed together, at most
 constexpr std::size_t kMostItem = 32u << 20;  // [bytes]
-constexpr std::size_t kChunk = std::size_t{1} << 16;  // [bytes]
+constexpr std::size_t kInflated = std::size_t{1} << 16;  // at once [bytes]
 constexpr const char* kCutOff = "is cut off: its end is missing";
 constexpr const char* kDamaged = "is damaged: ";
 constexpr int kGzipWindow = 15 + 16;  // of zlib: 32 kB, with the header of gzip
@@ -215,11 +215,11 @@ class Items {
 
   std::size_t inflate_more() {
     const std::size_t before = bytes_.size();
-    bytes_.resize(before + kChunk);
+    bytes_.resize(before + kInflated);
     stream_.next_out = reinterpret_cast<Bytef*>(bytes_.data() + before);
-    stream_.avail_out = kChunk;
+    stream_.avail_out = kInflated;
     const int status = inflate(&stream_, Z_NO_FLUSH);
-    const std::size_t got = kChunk - stream_.avail_out;
+    const std::size_t got = kInflated - stream_.avail_out;
     bytes_.resize(before + got);
     ended_ = status == Z_STREAM_END;
     if (status != Z_OK && !ended_ && status != Z_BUF_ERROR)

@@ -10,7 +10,7 @@
 namespace hexagait::viewer {
 namespace {
 
-using State = ActionNews::State;
+using NewsState = ActionNews::State;
 
 // Of those that the server lists: a name that an action gives names no file.
 walk::RobotOfName robots_of(const SessionOptions& options) {
@@ -22,21 +22,21 @@ walk::RobotOfName robots_of(const SessionOptions& options) {
   };
 }
 
-State state_of(ActionProgress::State state) {
+NewsState state_of(ActionProgress::State state) {
   switch (state) {
     case ActionProgress::State::none:
       break;
     case ActionProgress::State::halting:
     case ActionProgress::State::running:
-      return State::running;
+      return NewsState::running;
     case ActionProgress::State::done:
-      return State::done;
+      return NewsState::done;
     case ActionProgress::State::stopped:
-      return State::stopped;
+      return NewsState::stopped;
     case ActionProgress::State::failed:
-      return State::failed;
+      return NewsState::failed;
   }
-  return State::stopped;
+  return NewsState::stopped;
 }
 
 std::string why(const ActionProgress& progress, const RobotModel& robot) {
@@ -56,7 +56,7 @@ void Session::obey(const Perform& perform) {
     const std::string yaml = perform.yaml.empty() ? began_.load_action(perform.name) : perform.yaml;
     return check_action(yaml, check, action_dropped_);
   });
-  action_ = {.name = perform.name, .state = State::checking};
+  action_ = {.name = perform.name, .state = NewsState::checking};
   silent_ = false;
   tell_action();
 }
@@ -69,14 +69,14 @@ void Session::watch_action() {
   try {
     begin_action(check_.get());
   } catch (const std::exception& error) {
-    end_action(State::failed, error.what());
+    end_action(NewsState::failed, error.what());
   }
 }
 
 void Session::begin_action(CheckedAction checked) {
   if (action_dropped_) return;  // and told
   action_.findings = std::move(checked.findings);
-  if (!checked.action) return end_action(State::refused, checked.why);
+  if (!checked.action) return end_action(NewsState::refused, checked.why);
   walk_->perform(std::move(*checked.action));
   take_off_path();
   command_.heading = command_.heading.stopped();
@@ -85,9 +85,9 @@ void Session::begin_action(CheckedAction checked) {
 
 // Of an action that goes on, or went on until this tick.
 void Session::follow_progress() {
-  if (action_.state != State::running && !walk_->performs()) return;
+  if (action_.state != NewsState::running && !walk_->performs()) return;
   const ActionProgress& progress = walk_->progress();
-  const State state = state_of(progress.state);
+  const NewsState state = state_of(progress.state);
   if (state == action_.state && progress.step == action_.step) return;
   action_.step = progress.step;
   action_.steps = progress.steps;
@@ -103,11 +103,11 @@ void Session::stop_action() {
 // The robot that was to perform it is gone, or is to do something else before it has begun.
 void Session::drop_action(const char* why) {
   if (check_.valid()) action_dropped_ = true;
-  if (action_.state == State::running || action_.state == State::checking)
-    end_action(State::stopped, why);
+  if (action_.state == NewsState::running || action_.state == NewsState::checking)
+    end_action(NewsState::stopped, why);
 }
 
-void Session::end_action(State state, std::string why) {
+void Session::end_action(NewsState state, std::string why) {
   action_.state = state;
   action_.why = std::move(why);
   tell_action();

@@ -17,7 +17,7 @@ namespace hexagait::viewer {
 namespace {
 
 using heading_control::Heading;
-using Json = nlohmann::json;
+using JsonValue = nlohmann::json;
 
 constexpr double kFullTurn = 2.0 * std::numbers::pi;
 constexpr std::size_t kLongestWord = 64;
@@ -26,12 +26,12 @@ constexpr std::string_view kActionBegins = R"({"type":"action")";
 // The values of a message. Refuses by InvalidInput, which parse_command() turns into an answer.
 class Message {
  public:
-  Message(const Json& json, std::string type) : json_(json), type_(std::move(type)) {}
+  Message(const JsonValue& json, std::string type) : json_(json), type_(std::move(type)) {}
 
   [[nodiscard]] bool has(const char* key) const { return json_.contains(key); }
 
   [[nodiscard]] double number(const char* key, double least, double greatest) const {
-    const Json& value = at(key);
+    const JsonValue& value = at(key);
     if (!value.is_number()) refuse(key, "it must be a number");
     const auto result = value.get<double>();
     if (!std::isfinite(result) || result < least || result > greatest)
@@ -46,7 +46,7 @@ class Message {
 
   [[nodiscard]] std::uint64_t count(const char* key, std::uint64_t least,
                                     std::uint64_t greatest) const {
-    const Json& value = at(key);
+    const JsonValue& value = at(key);
     if (!value.is_number_unsigned() || value.get<std::uint64_t>() < least ||
         value.get<std::uint64_t>() > greatest)
       refuse(key, fmt::format("it must be a whole number from {} to {}", least, greatest));
@@ -71,7 +71,7 @@ class Message {
         throw InvalidInput(fmt::format("\"{}\" has no \"{}\"", type_, key.substr(0, 32)));
   }
 
-  [[nodiscard]] const Json& at(const char* key) const {
+  [[nodiscard]] const JsonValue& at(const char* key) const {
     const auto found = json_.find(key);
     if (found == json_.end()) refuse(key, "it is missing");
     return *found;
@@ -82,7 +82,7 @@ class Message {
   }
 
  private:
-  const Json& json_;
+  const JsonValue& json_;
   std::string type_;
 };
 
@@ -114,7 +114,7 @@ Command spin(const Message& m) {
   return Drive{Heading::spin(turn == "ccw" ? Turn::ccw : Turn::cw), limit(m)};
 }
 
-Vector2 point(const Message& m, const Json& json) {
+Vector2 point(const Message& m, const JsonValue& json) {
   constexpr double kFar = 1e5;  // [m]
   const auto refuse = [&] {
     m.refuse("points",
@@ -144,10 +144,10 @@ Command follow(const Message& m) {
     return result;
   }
   if (m.has("closed")) result.closed = m.truth("closed");
-  const Json& points = m.at("points");
+  const JsonValue& points = m.at("points");
   if (!points.is_array() || points.size() < 2 || points.size() > kMostPathPoints)
     m.refuse("points", fmt::format("it must be a list of 2 to {} points", kMostPathPoints));
-  for (const Json& one : points) result.points_W.push_back(point(m, one));
+  for (const JsonValue& one : points) result.points_W.push_back(point(m, one));
   return result;
 }
 
@@ -164,7 +164,7 @@ Command action(const Message& m) {
     return result;
   }
   m.only({"yaml", "name"});
-  const Json& yaml = m.at("yaml");
+  const JsonValue& yaml = m.at("yaml");
   if (!yaml.is_string() || yaml.get_ref<const std::string&>().empty() ||
       yaml.get_ref<const std::string&>().size() > kMaxAction)
     m.refuse("yaml", fmt::format("it must be a text of 1 to {} bytes", kMaxAction));
@@ -308,7 +308,7 @@ bool is_utf8(std::string_view text) {
   return true;
 }
 
-Command command_of(const Json& json) {
+Command command_of(const JsonValue& json) {
   const auto type = json.find("type");
   if (type == json.end() || !type->is_string()) throw InvalidInput("a message needs a \"type\"");
   const auto& name = type->get_ref<const std::string&>();
@@ -347,7 +347,7 @@ std::variant<Command, CommandError> parse_command(std::string_view text) {
   if (text.size() > most)
     return CommandError{fmt::format("the message has more than {} bytes", most)};
   if (!is_utf8(text)) return CommandError{"the message is not UTF-8"};
-  const Json json = Json::parse(text, nullptr, false);
+  const JsonValue json = JsonValue::parse(text, nullptr, false);
   if (json.is_discarded()) return CommandError{"the message is not JSON"};
   if (!json.is_object()) return CommandError{"the message is not a JSON object"};
   try {

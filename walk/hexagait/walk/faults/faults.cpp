@@ -13,7 +13,7 @@ constexpr double kRounding = 1e-9;  // of a number of control periods
 
 const PlantFaults& checked(const PlantFaults& faults, double control_dt) {
   if (!(control_dt > 0.0) || !std::isfinite(control_dt))
-    throw InvalidInput("faults of the plant: control_dt [s]: " + in_words(control_dt) +
+    throw InvalidInput("faults of the plant: control_dt [s]: " + hexagait::in_words(control_dt) +
                        " must be finite and positive");
   check(faults);
   return faults;

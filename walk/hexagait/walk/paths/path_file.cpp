@@ -19,8 +19,8 @@ using path_following::PathTask;
 using path_following::Shape;
 using path_following::Waypoint;
 
-constexpr std::string_view kKeys[] = {"points", "closed", "shape", "unit", "facing", "speed"};
-constexpr YamlKeys kPathMap = {"path", kKeys};
+constexpr std::string_view kPathKeys[] = {"points", "closed", "shape", "unit", "facing", "speed"};
+constexpr YamlKeys kPathMap = {"path", kPathKeys};
 constexpr std::string_view kPointKeys[] = {"x", "y", "facing", "speed"};
 constexpr YamlKeys kPointMap = {"point", kPointKeys};
 constexpr NumberRule kLength = {NumberRule::Bound::any, Dimension::length, 1e5};

@@ -11,13 +11,13 @@ namespace {
 constexpr double kAtStart = 0.25;  // of the look-ahead
 constexpr double kSpacing = 0.05;  // of the look-ahead, between points that are to be visited
 constexpr double kWindow = 2.0;    // of the look-ahead, in which a place is looked for
-constexpr double kMostPoints = 1e5;
+constexpr double kMostSamples = 1e5;
 
 }  // namespace
 
 PathJudge::PathJudge(const path_following::PathTask& task, const PlanarPose& start)
     : task_(&task), start_(start) {
-  spacing_ = std::max(kSpacing * task.look_ahead, task.end() / kMostPoints);
+  spacing_ = std::max(kSpacing * task.look_ahead, task.end() / kMostSamples);
   const auto points = static_cast<std::size_t>(std::floor(task.end() / spacing_)) + 1;
   nearest_.assign(points, std::numeric_limits<double>::infinity());
 }

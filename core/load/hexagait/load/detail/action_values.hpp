@@ -31,6 +31,10 @@ inline constexpr NumberRule kForce{NumberRule::Bound::any, Dimension::number, 1e
 inline constexpr NumberRule kEffort{NumberRule::Bound::any, Dimension::number, 1e6};
 inline constexpr NumberRule kPositive{NumberRule::Bound::positive};
 
+/// In the order of SwingProfile.
+inline const std::vector<std::string> kSwingProfiles = {"straight", "triangle", "square",
+                                                        "trapezoid"};
+
 /// The words that may stand for frames and legs.
 struct ActionWords {
   const RobotModel& model;

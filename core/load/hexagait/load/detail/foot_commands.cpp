@@ -6,9 +6,6 @@
 namespace hexagait::action {
 namespace {
 
-// In the order of SwingProfile.
-const std::vector<std::string> kProfiles = {"straight", "triangle", "square", "trapezoid"};
-
 bool has(const YamlFields& options, std::string_view key) {
   return std::ranges::find(options.allowed->keys, key) != options.allowed->keys.end();
 }
@@ -33,7 +30,7 @@ Footstep read_footstep(YamlReader& yaml, const ActionWords& words, const YamlFie
   command.profile_height =
       yaml.number_or(options, "profile_height", command.profile_height, kHeight);
   if (const auto type = yaml.find(options, "profile_type"))
-    if (const auto profile = yaml.word(*type, kProfiles))
+    if (const auto profile = yaml.word(*type, kSwingProfiles))
       command.profile = static_cast<SwingProfile>(*profile);
   command.average_velocity =
       yaml.number_or(options, "average_velocity", command.average_velocity, kSpeed);

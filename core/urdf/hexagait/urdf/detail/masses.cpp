@@ -12,7 +12,7 @@ namespace {
 constexpr double kLightestRobot = 2.0, kHeaviestRobot = 1000.0;  // [kg/m³] of its size cubed
 constexpr double kLightestLink = 1.0, kHeaviestLink = 1e5;       // [kg/m³] of its volume
 constexpr double kSlimmest = 0.01, kWidest = 2.0;  // radius of gyration, of the extent
-constexpr double kRodRadius = 0.1;                 // of its length
+constexpr double kRodToLength = 0.1;               // radius of a rod, of its length
 constexpr double kOnlyABall = 0.05;                // shapes of less than this share of the rod
 
 /// A link, and what it is made of if it is filled evenly.
@@ -57,7 +57,7 @@ Vector3 gyration(const Shape& shape) {
 /// Fills a link's shapes, or a rod from its joint to `end` if these are none, or only a foot.
 Filled filled(LinkModel& link, const LinkParts& parts, const Vector3& end_L, double shortest) {
   const double length = std::max(end_L.norm(), shortest);
-  const Shape along = rod(end_L, kRodRadius * length, length);
+  const Shape along = rod(end_L, kRodToLength * length, length);
   double volume = 0.0;
   for (const Shape& shape : link.shapes) volume += volume_of(shape);
   const std::vector<Shape> solids =

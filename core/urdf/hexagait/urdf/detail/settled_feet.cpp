@@ -11,7 +11,7 @@ using Feet = std::vector<std::optional<FoundFoot>>;
 
 constexpr double kSameRadius = 1e-6;     // [m]
 constexpr double kRadiusByRule = 0.025;  // of the leg's length
-constexpr double kRodRadius = 0.7;       // of the foot's
+constexpr double kRodToFoot = 0.7;       // radius of a rod, of the foot's
 constexpr double kSamePlace = 1e-9;      // [m]
 
 const FileLink& last_link(const UrdfFile& file, const SerialChain& chain) {
@@ -81,7 +81,7 @@ void put_ball(LinkModel& link, const FoundFoot& foot, const Vector3& p_LF, doubl
     });
   }
   if (link.shapes.empty() && p_LF.norm() > radius)
-    link.shapes.push_back(rod(p_LF, kRodRadius * radius, p_LF.norm()));
+    link.shapes.push_back(rod(p_LF, kRodToFoot * radius, p_LF.norm()));
   link.shapes.push_back({Shape::Kind::sphere, {radius, 0.0, 0.0}, {Matrix3::Identity(), p_LF}});
 }
 

@@ -7,7 +7,7 @@
 namespace hexagait {
 namespace {
 
-constexpr double kSamePlace = 0.05;  // of the layout's radius
+constexpr double kMirrored = 0.05;   // how far off, of the layout's radius
 constexpr double kAsLong = 1.1;      // ratios of length to width that count as equal
 constexpr double kSameAngle = 1e-3;  // [rad]
 
@@ -78,7 +78,7 @@ double layout_radius(const std::vector<Vector2>& hips) {
 }
 
 Symmetry find_symmetry(const std::vector<Vector2>& hips) {
-  const double tolerance = kSamePlace * layout_radius(hips);
+  const double tolerance = kMirrored * layout_radius(hips);
   Symmetry best{0.0, 0.0, std::vector<int>(hips.size(), -1)};
   for (std::size_t i = 0; i < hips.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
@@ -94,7 +94,7 @@ Symmetry find_symmetry(const std::vector<Vector2>& hips) {
 }
 
 Symmetry symmetry_along(const std::vector<Vector2>& hips, double front) {
-  const double tolerance = kSamePlace * layout_radius(hips);
+  const double tolerance = kMirrored * layout_radius(hips);
   const Vector2 left = perpendicular(unit_vector(front));
   Symmetry best{front, 0.0, std::vector<int>(hips.size(), -1)};
   for (std::size_t i = 0; i < hips.size(); ++i)

@@ -15,8 +15,7 @@ namespace {
 
 using navigation::Reason;
 
-constexpr double kSeconds = 3600.0, kInShort = 40.0;  // [s]
-constexpr double kShown = 120.0;                      // of the first walk, to the spectator [s]
+constexpr double kShownSeconds = 120.0;  // of the first walk, to the spectator [s]
 constexpr SenseNoise kNoise{.range = 0.02, .pitch = 0.01};
 
 struct Arena {
@@ -57,12 +56,12 @@ recording::WorldObserver shown(const ExperimentContext& context, const RobotMode
   context.spectator->begin(robot, simulation);
   return [spectator = context.spectator](const auto& record, const GroundTruth& truth,
                                          const auto& referee, const sim3d::World& world) {
-    if (truth.time <= kShown) spectator->observe(record, truth, referee, world);
+    if (truth.time <= kShownSeconds) spectator->observe(record, truth, referee, world);
   };
 }
 
 std::vector<NavigationWalk> walked(const ExperimentContext& context, const RobotModel& robot) {
-  const double seconds = context.short_form ? kInShort : kSeconds;
+  const double seconds = context.short_form ? 40.0 : 3600.0;
   std::vector<NavigationWalk> walks(std::size(kArenas));
   SharedProgress progress(context, walks.size(), seconds);
   const auto walk = [&](std::size_t k) {
