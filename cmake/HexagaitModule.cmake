@@ -1,4 +1,4 @@
-# hexagait_module(NAME  COMPONENT … SOURCES … [TESTS …] [TEST_LIBRARIES …] [PUBLIC …] [PRIVATE …])
+# hexagait_module(NAME  COMPONENT … SOURCES … [COLD] [TESTS …] [TEST_LIBRARIES …] [PUBLIC …] [PRIVATE …])
 #
 # A room: a library target hexagait::NAME with its tests. Headers, sources and tests lie side by side
 # in hexagait/NAME below the room's folder, where there are many in folders of it. The room's folder is
@@ -22,7 +22,7 @@ function(hexagait_options target)
 endfunction()
 
 function(hexagait_module name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "COMPONENT" "SOURCES;TESTS;TEST_LIBRARIES;PUBLIC;PRIVATE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "COLD" "COMPONENT" "SOURCES;TESTS;TEST_LIBRARIES;PUBLIC;PRIVATE")
   list(TRANSFORM arg_SOURCES PREPEND hexagait/${name}/)
   list(TRANSFORM arg_TESTS PREPEND hexagait/${name}/)
 
@@ -32,7 +32,11 @@ function(hexagait_module name)
     set_target_properties(hexagait_${name} PROPERTIES
       POSITION_INDEPENDENT_CODE ON DEFINE_SYMBOL "" INSTALL_RPATH "$ORIGIN"
       VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-    hexagait_options(hexagait_${name})
+    if(arg_COLD)
+      hexagait_options(hexagait_${name} COLD)
+    else()
+      hexagait_options(hexagait_${name})
+    endif()
     # What is headers only and private, those who link to an installed room need not have.
     list(TRANSFORM arg_PRIVATE REPLACE "^(nlohmann_json::.*|Boost::headers)$" "$<BUILD_INTERFACE:\\1>")
     target_link_libraries(hexagait_${name} PRIVATE ${arg_PRIVATE})
