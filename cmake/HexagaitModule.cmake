@@ -95,7 +95,12 @@ function(hexagait_scripts room)
       OUTPUT ${out} DEPENDS ${in} ${hexagait_embed_script} VERBATIM
       COMMAND ${CMAKE_COMMAND} -DIN=${in} -DOUT=${out} -DROOM=${room} -P ${hexagait_embed_script})
     target_sources(hexagait_${room} PRIVATE ${out})
+    list(APPEND headers ${out})
   endforeach()
+  # A target that links to nothing: else Ninja writes no header, and compiles nothing of the room, before
+  # all libraries are there that the room links to.
+  add_custom_target(hexagait_${room}_scripts DEPENDS ${headers})
+  add_dependencies(hexagait_${room} hexagait_${room}_scripts)
   target_include_directories(hexagait_${room} PRIVATE ${generated})
 endfunction()
 
