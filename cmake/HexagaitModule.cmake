@@ -125,6 +125,7 @@ function(hexagait_test name)
   target_compile_features(${name} PRIVATE cxx_std_20)
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gmock_main)
   hexagait_precompiled(${name})
+  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)  # helpers of tests have the same names
   # Only where it is used: elsewhere ccache finds what another clone has compiled.
   foreach(source IN LISTS arg_SOURCES)
     file(STRINGS ${source} uses REGEX HEXAGAIT_SOURCE_DIR LIMIT_COUNT 1)
