@@ -48,12 +48,13 @@ template <class Range>
 /// itself with a fault.
 /// @param summaries  of walks or of actions
 /// @param what       they are called
+/// @param share      of them that may fall after all [%]
 template <class Range>
 [[nodiscard]] std::vector<SafetyCheck> no_fall(const Range& summaries,
-                                               const std::string& what = "walks") {
+                                               const std::string& what = "walks",
+                                               const Bound& share = exactly(0.0)) {
   using Fault = std::decay_t<decltype(std::begin(summaries)->fault)>;
-  return {{{what + " that fell", share_of(summaries, [](const auto& s) { return s.fell; })},
-           exactly(0.0)},
+  return {{{what + " that fell", share_of(summaries, [](const auto& s) { return s.fell; })}, share},
           {{what + " that a fault ended",
             share_of(summaries, [](const auto& s) { return s.fault != Fault::none; })},
            exactly(0.0)}};

@@ -240,7 +240,10 @@ Verdict judge_sharp_changes(std::span<const Walk> walks) {
                   .expected_to_fail(between(-30.0, 0.0), kBounces)}};
 }
 
-Verdict judge_terrain(std::span<const Walk> walks) {
+namespace {
+
+Verdict on_rough_ground(std::span<const Walk> walks, std::vector<SafetyCheck> safety,
+                        const Bound& arrive) {
   const auto lateral = each(walks, [](const Walk& w) { return 1e2 * w.summary.lateral_mean; });
   const auto speed = each(walks, [](const Walk& w) { return w.summary.speed; });
   const Measured arrived("walks that arrive",
@@ -249,27 +252,25 @@ Verdict judge_terrain(std::span<const Walk> walks) {
                      fmt::format("worst walk {:.2f} cm", statistics::greatest(lateral)));
   return {.claim = fmt::format("{} m of {}, {} seeds", walks.front().simulation.trial.distance,
                                walks.front().group, walks.size()),
-          .safety = no_fall_on_rough_ground(summaries(walks), 5.0, 3.0),
-          .checks = {{arrived, exactly(100.0)}, Check::of_interval(off, at_most(3.0))},
+          .safety = std::move(safety),
+          .checks = {{arrived, arrive}, Check::of_interval(off, at_most(3.0))},
           .remark = fmt::format("{:.3f} m/s", statistics::estimate(speed).mean)};
 }
 
+}  // namespace
+
+Verdict judge_terrain(std::span<const Walk> walks) {
+  return on_rough_ground(walks, no_fall_on_rough_ground(summaries(walks), 5.0, 3.0),
+                         exactly(100.0));
+}
+
 Verdict judge_plant(std::span<const Walk> walks) {
-  Verdict verdict = judge_terrain(walks);
-  verdict.safety = no_fall(summaries(walks));
-  return verdict;
+  return on_rough_ground(walks, no_fall(summaries(walks)), exactly(100.0));
 }
 
 // Of 60 walks over boxes of 10 cm with the plant real, one falls and one gets stuck.
 Verdict judge_real_plant(std::span<const Walk> walks) {
-  Verdict verdict = judge_plant(walks);
-  const auto share = [&](auto is) { return share_of(walks, is); };
-  verdict.safety.front() = {
-      {"walks that fell", share([](const Walk& w) { return w.summary.fell; })}, at_most(5.0)};
-  verdict.checks.front() = {
-      {"walks that arrive", share([](const Walk& w) { return w.summary.arrived; })},
-      at_least(95.0)};
-  return verdict;
+  return on_rough_ground(walks, no_fall(summaries(walks), "walks", at_most(5.0)), at_least(95.0));
 }
 
 Verdict judge_first_walk(std::span<const Walk> walks) {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <hexagait/executor/tick_motion.hpp>
 #include <hexagait/footstep_gen/leg_watch.hpp>
 
 namespace hexagait::footstep_gen {
@@ -11,6 +12,7 @@ constexpr double kSlowShare = 1.0;         // time constant of the slow part
 constexpr double kClosedShare = 1.25;      // high above the ground
 constexpr double kStoppedShare = 1.5;      // in all, and no contact since
 constexpr double kNoiseMemoryShare = 2.5;  // of the noise's mean
+constexpr double kFlickerShare = 10.0;     // in which flickers count, high above the ground
 
 constexpr double kWindow = 0.07 * 0.07;    // asked of a leg before its answer is judged [rad² s]
 constexpr double kAnswer = 0.25;           // least share of what is asked
@@ -21,6 +23,8 @@ constexpr double kStopShare = 0.125;       // of blocked_error
 constexpr double kBelow = 2.0;             // touchdown_margin below where the ground is expected
 constexpr double kNoiseShare = 1.0 / 3.0;  // of blocked_error
 constexpr double kNoisier = 3.0;           // than other legs
+constexpr double kFlickers = 6.0;          // of a contact that is not believed
+constexpr double kInstant = 2.5;           // control periods
 
 bool goes_down(LegPhase phase) { return phase == LegPhase::descend || phase == LegPhase::search; }
 
@@ -55,6 +59,7 @@ void LegWatch::watch(const RobotModel& model, const Executor& executor, const Ro
     if (sensors.foot_contacts) watch_contact(i, executor, state, measurement.contact[i], dt);
   }
   if (sensors.joint_feedback) compare_noise(model, executor);
+  if (sensors.foot_contacts) compare_flickers();
   ticks_ = std::min(ticks_ + 1, 3);
 }
 
@@ -88,6 +93,10 @@ void LegWatch::watch_contact(LegId leg, const Executor& executor, const RobotSta
   const double lift_time = executor.params().swing.lift_time;
   const double risen = (state.X_OB * state.p_BF[leg]).z() - lane.p_OL.z();
   const bool high = is_up(lane.phase) && risen > kHigh * lane.step.profile_height;
+  if (high) {
+    of.flickers -= decay_share(dt / (kFlickerShare * lift_time)) * of.flickers;
+    if (!contact && of.closed_high > 0.0 && of.closed_high < kInstant * dt) of.flickers += 1.0;
+  }
   if (high || !contact) of.closed_high = contact ? of.closed_high + dt : 0.0;
   if (of.closed_high > kClosedShare * lift_time) findings_.stuck_closed.insert(leg);
   if (!contact) findings_.stuck_closed.erase(leg);
@@ -97,6 +106,15 @@ void LegWatch::watch_contact(LegId leg, const Executor& executor, const RobotSta
   of.stopped = contact ? 0.0 : of.stopped + (stopped ? dt : 0.0);
   if (of.stopped > kStoppedShare * lift_time) findings_.stuck_open.insert(leg);
   if (contact) findings_.stuck_open.erase(leg);
+}
+
+void LegWatch::compare_flickers() noexcept {
+  for (LegId i = 0; i < legs_.size(); ++i) {
+    bool alone = legs_[i].flickers > kFlickers;
+    for (LegId j = 0; alone && j < legs_.size(); ++j)
+      alone = j == i || legs_[i].flickers > kNoisier * legs_[j].flickers;
+    if (alone) findings_.flickering.insert(i);
+  }
 }
 
 void LegWatch::watch_noise(LegId leg, const Executor& executor, const LegJoints& q,

@@ -9,16 +9,17 @@
 /// What a controller can find out by itself about its legs and their sensors, and what it does about it.
 namespace hexagait::footstep_gen {
 
-/// What has been found. A silent leg and a noisy one stay so until the next start(); a contact is believed
-/// again when it changes after all.
+/// What has been found. A leg that is silent or noisy and a contact that flickers stay so until the next start(); a
+/// stuck contact is believed again when it changes after all.
 struct LegFindings {
   LegSet silent;        ///< joints do not follow: the leg is dead or gone, and is lost
   LegSet stuck_closed;  ///< the contact never opens, not even high above the ground
   LegSet stuck_open;    ///< the contact never closes, not even where the ground stops the foot
+  LegSet flickering;    ///< the contact closes high up for an instant, again and again
   LegSet noisy;         ///< joint readings of one leg are far noisier than those of the others
 
   /// Contacts that are not believed: the foot stands from where the ground stops it.
-  [[nodiscard]] LegSet deaf() const noexcept { return stuck_closed | stuck_open; }
+  [[nodiscard]] LegSet deaf() const noexcept { return stuck_closed | stuck_open | flickering; }
   [[nodiscard]] bool none() const noexcept { return (silent | deaf() | noisy).empty(); }
   friend bool operator==(const LegFindings&, const LegFindings&) = default;
 };
@@ -40,6 +41,10 @@ struct LegFindings {
 /// **Stuck open.** Feet on their way down are stopped from below, beyond the lag of their drives by an
 /// eighth of blocked_error, for 1.5 times that of a lift in all, and no contact is felt in between. A foot that bears its
 /// share of the weight is that much above its set point, a foot in the air is not.
+///
+/// **Flickering.** More than six times, and more than three times as often as that of any other leg, a contact has
+/// closed for no more than two control periods while the foot is that high; what is longer ago than ten times the time
+/// of a lift, spent that high, counts for less.
 ///
 /// **Noisy.** σ of the readings, by their second differences less those of the targets, times the leg's
 /// reach is more than a third of blocked_error and more than three times that of any other leg. Noise
@@ -66,6 +71,7 @@ class LegWatch {
     double asked = 0.0, answered = 0.0;  ///< of (watch 1), in the present window [rad² s]
     int silent_windows = 0;
     double closed_high = 0.0;  ///< how long the contact has been closed high up [s]
+    double flickers = 0.0;     ///< how often it has been for an instant, of late
     double pressed = 0.0;      ///< how long the ground has stopped the foot, without a break [s]
     double stopped = 0.0;      ///< the same in all, and no contact since [s]
     LegJoints error_before = LegJoints::Zero(), error_before_that = LegJoints::Zero();
@@ -77,6 +83,7 @@ class LegWatch {
                      double dt) noexcept;
   void watch_noise(LegId leg, const Executor& executor, const LegJoints& q, double dt) noexcept;
   void compare_noise(const RobotModel& model, const Executor& executor) noexcept;
+  void compare_flickers() noexcept;
 
   LegArray<Leg> legs_;
   LegFindings findings_;

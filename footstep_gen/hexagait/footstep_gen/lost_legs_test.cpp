@@ -154,6 +154,24 @@ TEST(LegWatch, FindsAContactThatNeverOpensAndWalksOn) {
   EXPECT_TRUE(walk.walker.record().findings.none()) << "it opens after all";
 }
 
+TEST(LegWatch, FindsAContactThatFlickersAndNoOther) {
+  RandomSequence random{.seed = 1};
+  const auto noise = [&random](Measurement& measured, LegId first, LegId last) {
+    for (LegId leg = first; leg <= last; ++leg)
+      if (random.uniform(0.0, 1.0) < 0.05) measured.contact[leg] = !measured.contact[leg];
+  };
+  Walk walk;
+  walk.go_on(6.0, [&](Measurement& measured) { noise(measured, 1, 1); });
+  EXPECT_EQ(walk.walker.record().findings.flickering, set_of({1}));
+  EXPECT_EQ(walk.walker.record().findings.deaf(), set_of({1}));
+  const double before = walk.x();
+  walk.go_on(6.0, [&](Measurement& measured) { noise(measured, 1, 1); });
+  EXPECT_GT(walk.x() - before, 6.0 * 0.15);
+  Walk all;
+  all.go_on(6.0, [&](Measurement& measured) { noise(measured, 0, 5); });
+  EXPECT_TRUE(all.walker.record().findings.flickering.empty()) << "noise of all is nobody's fault";
+}
+
 TEST(LegWatch, FindsTheLegWhoseJointsAreNoisyAndNoOther) {
   Walk walk;
   RandomSequence random{.seed = 1};

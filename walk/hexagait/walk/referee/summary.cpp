@@ -96,6 +96,8 @@ std::vector<std::string> found_in_words(const Summary& summary, const RobotModel
       words.push_back(fmt::format("contact of {} never opens; it is not believed", leg));
     if (found.stuck_open.contains(i))
       words.push_back(fmt::format("contact of {} never closes; it is not believed", leg));
+    if (found.flickering.contains(i))
+      words.push_back(fmt::format("contact of {} flickers; it is not believed", leg));
     if (found.noisy.contains(i))
       words.push_back(fmt::format("joints of {} are noisy; they are not believed", leg));
   }
