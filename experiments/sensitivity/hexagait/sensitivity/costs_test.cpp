@@ -75,5 +75,16 @@ TEST(Sensitivity, ThePageHasALinePerPlantAndPerFault) {
     EXPECT_THAT(text, testing::HasSubstr(part));
 }
 
+TEST(Sensitivity, ThePageSaysWhatEachLadderIsAndItsSizesAlone) {
+  const std::vector<PlantCost> costs = {{"ideal", cost(10, 0.20), cost(10, 0.15)},
+                                        {"imu:on", cost(10, 0.20), cost(10, 0.15)},
+                                        {"imu:on+rate_bias:0.05", cost(10, 0.1), cost(10, 0.15)}};
+  const std::string text =
+      page({}, {{"imu", {"imu:on"}}, {"rate_bias", {"imu:on+rate_bias:0.05"}}}, costs);
+  EXPECT_THAT(text, testing::HasSubstr("| `imu` | The robot has an inertial measurement unit"));
+  EXPECT_THAT(text, testing::HasSubstr("| still walks at on |"));
+  EXPECT_THAT(text, testing::HasSubstr("| **0.05** |"));
+}
+
 }  // namespace
 }  // namespace hexagait::experiments

@@ -22,9 +22,9 @@ std::string cells(const Cost& cost, const Cost& ideal) {
                      cost.losses, cost.real_losses);
 }
 
-// "joint_noise" of 2mrad: 2mrad.
+// Of "imu:on+rate_bias:0.05": 0.05.
 std::string size_of(const std::string& plant) {
-  const std::size_t colon = plant.find(':');
+  const std::size_t colon = plant.rfind(':');
   return colon == std::string::npos ? plant : plant.substr(colon + 1);
 }
 
@@ -68,7 +68,9 @@ constexpr const char* kTable = R"(
 std::string meaning(const std::string& fault) {
   for (const recording::PlantNumber& number : recording::plant_numbers())
     if (fault == number.name) return number.meaning;
-  return "Servos take positions only, without velocities and efforts";
+  for (const recording::PlantSwitch& one : recording::plant_switches())
+    if (fault == one.name) return one.meaning;
+  return "";
 }
 
 }  // namespace
