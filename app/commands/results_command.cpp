@@ -41,6 +41,8 @@ using experiments::Measured;
 using experiments::Verdict;
 
 constexpr const char* kSpeedGroup = "speed";
+constexpr const char* kMoreToFeel =
+    "feeling gravity, roughness and lag takes half as many instructions again as before";
 
 // A group of figures, and the command that shows them alone.
 struct Group {
@@ -120,7 +122,9 @@ Group speed(const RobotModel& robot) {
         .checks = {{Measured("simulated time over processor time", "", factor),
                     experiments::at_least(15.0)}}},
        {.claim = "A tick of the controller is short",
-        .checks = {{Measured("wall time, median", "µs", 1e-3 * median), experiments::at_most(2.0)},
+        .checks = {Check(Measured("wall time, median", "µs", 1e-3 * median),
+                         experiments::at_most(2.0))
+                       .expected_to_fail(experiments::between(2.0, 5.0), kMoreToFeel),
                    {Measured("99th percentile", "µs", 1e-3 * p99), experiments::at_most(50.0)}},
         .remark = std::isnan(instructions)
                       ? "instructions: not measured, as there is no valgrind"

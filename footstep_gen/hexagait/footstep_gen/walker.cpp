@@ -205,16 +205,12 @@ void Walker::estimate() noexcept {
   feel_roughness();
 }
 
-// (step 4) Legs of two joints, which slide sideways as they stand, stray more with high steps: theirs
-// remember nothing.
+// (step 4)
 void Walker::feel_roughness() noexcept {
   print_spread_ = height_spread(record_.state.print_O);
   const PlanarTwist& V = record_.base.planar;
   const double speed = V.v.norm() + params_.executor.base.outer_radius * std::abs(V.w);
-  spread_ =
-      model_->legs[0].has_two_joints()
-          ? print_spread_
-          : remembered_spread(spread_, print_spread_, speed * params_.control_dt, params_.step);
+  spread_ = remembered_spread(spread_, print_spread_, speed * params_.control_dt, params_.step);
 }
 
 heading_control::PathArc Walker::arc_of(const heading_control::Heading& heading) const noexcept {
@@ -408,12 +404,13 @@ StepParams Walker::steps_here() const noexcept {
   StepParams step = params_.step;
   // The period of a wave is that of its longest step: shorter ones would only wait.
   const bool wave = params_.stepper.stepping == gait_state::Stepping::wave;
-  const bool plain = wave || crawls() || model_->legs[0].has_two_joints();
-  if (plain)
+  const bool slides = model_->legs[0].has_two_joints();
+  if (wave || crawls() || slides)
     step.haste = step.touchdown = 1.0;
   else
     step = on_guessed_ground(step, print_spread_);
-  if (!wave) step = on_ground(step, spread_);
+  // Feet that slide sideways as they stand catch on what low steps don't clear.
+  if (!wave && !slides) step = on_ground(step, spread_);
   // A foot whose drives lag by more of its swing runs into the ground, or seems blocked.
   const double lag = executor_.drive_lag() / (kHastyLag * params_.executor.swing.lift_time);
   step.haste = 1.0 + (step.haste - 1.0) * std::clamp(2.0 - lag, 0.0, 1.0);

@@ -127,12 +127,31 @@ TEST_P(TwoJointLegs, WalkAnArcAndBackwards) {
   }
 }
 
+// Their feet slide and catch: with the low steps of other robots on level ground, (step 2), they fell over boxes.
+TEST_P(TwoJointLegs, StepAsHighOnLevelGroundAsOverRough) {
+  sim3d::World world(robot_, {}, {}, nominal_posture(robot_));
+  footstep_gen::Walker walker(robot_);
+  TrialOptions options;
+  options.schedule = {{0.0, Heading::straight(0.0), {}}};
+  options.seconds = 8.0;
+  int steps = 0;
+  (void)run_trial(walker, world, world.truth(), options,
+                  [&](const footstep_gen::TickRecord& record) {
+                    for (LegId i = 0; i < robot_.num_legs(); ++i) {
+                      if (!record.lifts.contains(i)) continue;
+                      EXPECT_GE(record.footsteps[i].profile_height, walker.params().step.height);
+                      ++steps;
+                    }
+                  });
+  EXPECT_GT(steps, 30);
+}
+
 // What it can't do: it goes ahead instead, and the referee says how far off that is.
 TEST_P(TwoJointLegs, GoAheadOrBackWhereTheyAreToldToCrab) {
   for (const double crab : {0.25 * std::numbers::pi, -0.75 * std::numbers::pi}) {
     const Summary s = walked(Heading::straight(crab), 10.0, 1e9);
     EXPECT_TRUE(s.ok()) << in_words(s.hindrance, robot_);
-    EXPECT_NEAR(s.distance / s.seconds, 0.0725 * std::sqrt(0.5), 0.006);
+    EXPECT_NEAR(s.distance / s.seconds, 0.068 * std::sqrt(0.5), 0.006);
     EXPECT_NEAR(s.lateral_end, s.distance, 0.05 * s.distance);
     EXPECT_EQ(s.rule1_violations, 0);
   }

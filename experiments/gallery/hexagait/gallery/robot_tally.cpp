@@ -22,9 +22,6 @@ constexpr KnownToFail kKnownToFail[] = {
     {"genghis",
      {20.0, 70.0},
      "a foot of two joints moves outwards as it rises: a box beside it holds it by friction"},
-    {"hexapod_mammal",
-     {70.0, 94.0},
-     "a leg that lost contact stands on its shin, and the robot leans on it"},
     {"quadruped_rpp", {40.0, 94.0}, kThree}};
 
 bool walked(const GalleryWalk& walk) { return walk.end.walked(); }
