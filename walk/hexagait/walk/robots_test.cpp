@@ -135,14 +135,14 @@ TEST_P(TwoJointLegs, StepAsHighOnLevelGroundAsOverRough) {
   options.schedule = {{0.0, Heading::straight(0.0), {}}};
   options.seconds = 8.0;
   int steps = 0;
-  (void)run_trial(walker, world, world.truth(), options,
-                  [&](const footstep_gen::TickRecord& record) {
-                    for (LegId i = 0; i < robot_.num_legs(); ++i) {
-                      if (!record.lifts.contains(i)) continue;
-                      EXPECT_GE(record.footsteps[i].profile_height, walker.params().step.height);
-                      ++steps;
-                    }
-                  });
+  const Observer observer = [&](const footstep_gen::TickRecord& record, const auto&, const auto&) {
+    for (LegId i = 0; i < robot_.num_legs(); ++i) {
+      if (!record.lifts.contains(i)) continue;
+      EXPECT_GE(record.footsteps[i].profile_height, walker.params().step.height);
+      ++steps;
+    }
+  };
+  (void)run_trial(walker, world, world.truth(), options, observer);
   EXPECT_GT(steps, 30);
 }
 
