@@ -26,6 +26,26 @@ constexpr double kNoisier = 3.0;           // than other legs
 constexpr double kFlickers = 6.0;          // of a contact that is not believed
 constexpr double kInstant = 2.5;           // control periods
 
+// The leg with the greatest value, and the greatest of the others; values are at least 0.
+struct Outlier {
+  LegId leg = 0;
+  double value = 0.0, next = 0.0;
+};
+
+template <class Value>
+Outlier outlier(LegSet legs, const Value& value) {
+  Outlier found;
+  for (LegId i = 0; i < kMaxLegs; ++i) {
+    if (!legs.contains(i)) continue;
+    const double of_leg = value(i);
+    if (of_leg > found.value)
+      found = {i, of_leg, found.value};
+    else
+      found.next = std::max(found.next, of_leg);
+  }
+  return found;
+}
+
 bool goes_down(LegPhase phase) { return phase == LegPhase::descend || phase == LegPhase::search; }
 
 // Does the ground stop a foot on its way down? Not that its drive is late, by as much as its lag may be
@@ -109,12 +129,10 @@ void LegWatch::watch_contact(LegId leg, const Executor& executor, const RobotSta
 }
 
 void LegWatch::compare_flickers() noexcept {
-  for (LegId i = 0; i < legs_.size(); ++i) {
-    bool alone = legs_[i].flickers > kFlickers;
-    for (LegId j = 0; alone && j < legs_.size(); ++j)
-      alone = j == i || legs_[i].flickers > kNoisier * legs_[j].flickers;
-    if (alone) findings_.flickering.insert(i);
-  }
+  const Outlier most =
+      outlier(LegSet::all(legs_.size()), [this](LegId i) { return legs_[i].flickers; });
+  if (most.value > kFlickers && most.value > kNoisier * most.next)
+    findings_.flickering.insert(most.leg);
 }
 
 void LegWatch::watch_noise(LegId leg, const Executor& executor, const LegJoints& q,
@@ -132,23 +150,12 @@ void LegWatch::watch_noise(LegId leg, const Executor& executor, const LegJoints&
 }
 
 void LegWatch::compare_noise(const RobotModel& model, const Executor& executor) noexcept {
-  double greatest = 0.0, next = 0.0;
-  LegId noisiest = 0;
-  for (LegId i = 0; i < legs_.size(); ++i) {
-    const double variance = legs_[i].variance;
-    if (executor.lost().contains(i)) continue;
-    if (variance > greatest) {
-      next = greatest;
-      greatest = variance;
-      noisiest = i;
-    } else {
-      next = std::max(next, variance);
-    }
-  }
+  const LegSet legs = without(LegSet::all(legs_.size()), executor.lost());
+  const Outlier most = outlier(legs, [this](LegId i) { return legs_[i].variance; });
   const double bound =
-      kNoiseShare * executor.params().swing.blocked_error / model.legs[noisiest].max_reach;
-  if (greatest > bound * bound && greatest > kNoisier * kNoisier * next)
-    findings_.noisy.insert(noisiest);
+      kNoiseShare * executor.params().swing.blocked_error / model.legs[most.leg].max_reach;
+  if (most.value > bound * bound && most.value > kNoisier * kNoisier * most.next)
+    findings_.noisy.insert(most.leg);
 }
 
 Measurement LegWatch::mended(const Measurement& measurement, const Executor& executor,
