@@ -1,4 +1,5 @@
-# hexagait_module(NAME  COMPONENT … SOURCES … [COLD] [TESTS …] [TEST_LIBRARIES …] [PUBLIC …] [PRIVATE …])
+# hexagait_module(NAME  COMPONENT … SOURCES … [COLD] [TESTS …] [TESTS_ALONE …] [TEST_LIBRARIES …] [PUBLIC …]
+#                 [PRIVATE …])
 #
 # A room: a library target hexagait::NAME with its tests. Headers, sources and tests lie side by side
 # in hexagait/NAME below the room's folder, where there are many in folders of it. The room's folder is
@@ -22,9 +23,11 @@ function(hexagait_options target)
 endfunction()
 
 function(hexagait_module name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "COLD" "COMPONENT" "SOURCES;TESTS;TEST_LIBRARIES;PUBLIC;PRIVATE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "COLD" "COMPONENT"
+                        "SOURCES;TESTS;TESTS_ALONE;TEST_LIBRARIES;PUBLIC;PRIVATE")
   list(TRANSFORM arg_SOURCES PREPEND hexagait/${name}/)
   list(TRANSFORM arg_TESTS PREPEND hexagait/${name}/)
+  list(TRANSFORM arg_TESTS_ALONE PREPEND hexagait/${name}/)
 
   set(scope PUBLIC)
   if(arg_SOURCES)
@@ -57,7 +60,8 @@ function(hexagait_module name)
           FILES_MATCHING PATTERN "*.hpp" PATTERN "detail" EXCLUDE)
 
   if(HEXAGAIT_TESTS AND arg_TESTS)
-    hexagait_test(${name}_test SOURCES ${arg_TESTS} LIBRARIES hexagait::${name} ${arg_TEST_LIBRARIES})
+    hexagait_test(${name}_test SOURCES ${arg_TESTS} ALONE ${arg_TESTS_ALONE}
+                  LIBRARIES hexagait::${name} ${arg_TEST_LIBRARIES})
   endif()
 endfunction()
 
@@ -113,27 +117,30 @@ function(hexagait_precompiled target)
     target_compile_features(hexagait_test_headers PRIVATE cxx_std_20)
     target_link_libraries(hexagait_test_headers PRIVATE Eigen3::Eigen GTest::gmock)
     target_precompile_headers(hexagait_test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h> <Eigen/Geometry>)
-    hexagait_options(hexagait_test_headers)
+    hexagait_options(hexagait_test_headers COLD)
   endif()
   target_precompile_headers(${target} REUSE_FROM hexagait_test_headers)
 endfunction()
 
-# hexagait_test(NAME  SOURCES … LIBRARIES …): a GoogleTest program, one ctest entry per test.
+# hexagait_test(NAME  SOURCES … [ALONE …] LIBRARIES …): a GoogleTest program, one ctest entry per test. A unity
+# build joins up to six SOURCES at a time, but not those that are ALONE: their helpers have names that helpers of
+# SOURCES have, too.
 function(hexagait_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
-  add_executable(${name} ${arg_SOURCES})
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;ALONE;LIBRARIES")
+  add_executable(${name} ${arg_SOURCES} ${arg_ALONE})
   target_compile_features(${name} PRIVATE cxx_std_20)
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gmock_main)
   hexagait_precompiled(${name})
-  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)  # helpers of tests have the same names
-  # Only where it is used: elsewhere ccache finds what another clone has compiled.
-  foreach(source IN LISTS arg_SOURCES)
+  set_target_properties(${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 6)
+  set_source_files_properties(${arg_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  # Only where it is used, which is not joined either: elsewhere ccache finds what another clone has compiled.
+  foreach(source IN LISTS arg_SOURCES arg_ALONE)
     file(STRINGS ${source} uses REGEX HEXAGAIT_SOURCE_DIR LIMIT_COUNT 1)
     if(uses)
       set_source_files_properties(${source} PROPERTIES COMPILE_DEFINITIONS
                                   HEXAGAIT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     endif()
   endforeach()
-  hexagait_options(${name})
+  hexagait_options(${name} COLD)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST)
 endfunction()

@@ -5,6 +5,7 @@
 # shellcheck shell=bash disable=SC2154  # $note is set by step, in setup.sh
 
 kPrefix=build/installed
+kUnity=(-DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=16)  # as build/release, or ccache finds nothing
 kComponents=(controller urdf actions verify sim sim2d sim3d walk statistics figures recording viewer
              sweeps)
 
@@ -60,7 +61,7 @@ none() { ! "$@"; }
 # configure DIR OPTION…: only what is in $visible is there for pkg-config.
 configure() {
   PKG_CONFIG_LIBDIR=$visible cmake -S . -B "$1" -G Ninja -DCMAKE_CXX_COMPILER=g++ \
-    -DHEXAGAIT_WERROR=ON -DHEXAGAIT_TOOLS=OFF -DHEXAGAIT_TESTS=OFF "${@:2}"
+    "${kUnity[@]}" -DHEXAGAIT_WERROR=ON -DHEXAGAIT_TOOLS=OFF -DHEXAGAIT_TESTS=OFF "${@:2}"
 }
 
 # combination "URDF ACTIONS SIM2D SIM3D FIGURES VIEWER SWEEPS", each ON or OFF: what is off is not even
@@ -129,36 +130,64 @@ install_here() {
   cmake --install build/release --prefix "$kPrefix"
 }
 
-# The installed headers that include <Eigen/Geometry>, themselves or by another one of ours.
-headers_with_eigen() {
-  local found more
-  found=$(grep -rl '#include <Eigen/Geometry>' hexagait | sort)
-  while more=$({ printf '%s\n' "$found"; grep -rlFf <(sed 's/.*/#include <&>/' <<<"$found") hexagait; } | sort -u)
+# files_with_eigen DIR…: the headers and sources below the folders that include <Eigen/Geometry>, themselves or
+# by a header of ours.
+files_with_eigen() {
+  local found more names
+  found=$(grep -rl --include='*.[ch]pp' '#include <Eigen/' "$@" | sort)
+  while names=$(sed -nE 's#^(.*/)?(hexagait/.*hpp)$#<\2>#p; s#^app/(.*hpp)$#"\1"#p' <<<"$found")
+        more=$({ printf '%s\n' "$found"; grep -rlFf - --include='*.[ch]pp' "$@" <<<"$names"; } | sort -u)
         [[ $more != "$found" ]]; do found=$more; done
   printf '%s\n' "$found"
 }
 
-# Every installed header compiles alone, and twice, with nothing to include but what is installed. For
-# those that include Eigen anyway it is precompiled: it is half of the time.
-check_headers() {
-  local dir=build/headers header sort
+# precompile_eigen DIR OPTION…: Eigen, which is most of what a file reads, for clang: DIR/eigen.pch.
+precompile_eigen() {
+  printf '#include <Eigen/Geometry>\n' >"$1/eigen.hpp"
+  clang++ "${@:2}" -isystem /usr/include/eigen3 -fpch-instantiate-templates -x c++-header -o "$1/eigen.pch" \
+    "$1/eigen.hpp"
+}
+
+# Each source of the library and the command compiles alone: the unity build would not see that one includes too
+# little. What the build generates lies in build/release.
+check_sources_alone() {
+  local dir=$PWD/build/alone file
   local -A includes_eigen=()
-  local compile=(g++ -std=c++20 -Wall -Wextra -Werror -Winvalid-pch -I"$kPrefix/include" -isystem /usr/include/eigen3)
+  rm -rf "$dir"
+  cmake --preset release -B "$dir" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_CXX_COMPILER_LAUNCHER= \
+    -DCMAKE_UNITY_BUILD=OFF -DHEXAGAIT_TESTS=OFF -DHEXAGAIT_BENCH=OFF -DHEXAGAIT_PAGE=OFF
+  while read -r file; do includes_eigen[$PWD/$file]=1; done < <(files_with_eigen "${kModules[@]}")
+  precompile_eigen "$dir" -std=gnu++20 -O3 -DNDEBUG -fPIC -fno-math-errno
+  local command
+  while read -r command; do
+    file=${command##* }
+    command=${command/ -o * -c / -fsyntax-only -c }
+    [[ -z ${includes_eigen[$file]:-} ]] || command+=" -include-pch $dir/eigen.pch"
+    printf '%s\n' "$command"
+  done < <(sed -n 's#/build/alone/#/build/release/#g; s/^ *"command": "\(.*\)",$/\1/p' "$dir/compile_commands.json" |
+             sed 's/\\"/"/g') >"$dir/commands"
+  xargs -d '\n' -P "$(nproc)" -I{} sh -c {} <"$dir/commands"
+  wc -l <"$dir/commands" | awk '{printf "%d sources", $1}' >"$note"
+}
+
+# Every installed header compiles alone, and twice, with nothing to include but what is installed.
+check_headers() {
+  local dir=$PWD/build/headers header
+  local -A includes_eigen=()
+  local options=(-std=c++20 -Wall -Wextra -Werror)
   [[ -d $kPrefix ]] || install_here
   rm -rf "$dir"
   mkdir -p "$dir"/{eigen,plain}
-  printf '#include <Eigen/Geometry>\n' >"$dir/eigen.hpp"
-  "${compile[@]}" -x c++-header -o "$dir/eigen.hpp.gch" "$dir/eigen.hpp"
-  while read -r header; do includes_eigen[$header]=1; done < <(cd "$kPrefix/include" && headers_with_eigen)
+  precompile_eigen "$dir" "${options[@]}"
+  while read -r header; do includes_eigen[$header]=1; done < <(cd "$kPrefix/include" && files_with_eigen hexagait)
   while read -r header; do
-    sort=${includes_eigen[$header]:+eigen}
-    printf '#include <%s>\n#include <%s>\n' "$header" "$header" >"$dir/${sort:-plain}/${header//\//-}.cpp"
+    printf '#include <%s>\n#include <%s>\n' "$header" "$header" \
+      >"$dir/${includes_eigen[$header]:+eigen/}${header//\//-}.cpp"
   done < <(cd "$kPrefix/include" && find hexagait -name '*.hpp')
-  find "$dir/plain" -name '*.cpp' -print0 | xargs -0 -P "$(nproc)" -I{} "${compile[@]}" -fsyntax-only {}
-  find "$dir/eigen" -name '*.cpp' -print0 |
-    xargs -0 -P "$(nproc)" -I{} "${compile[@]}" -fsyntax-only -include "$dir/eigen.hpp" {}
+  options=(clang++ "${options[@]}" -I"$kPrefix/include" -isystem /usr/include/eigen3 -fsyntax-only)
+  find "$dir" -maxdepth 1 -name '*.cpp' -print0 | xargs -0 -P "$(nproc)" -n 1 "${options[@]}"
+  find "$dir/eigen" -name '*.cpp' -print0 | xargs -0 -P "$(nproc)" -n 1 "${options[@]}" -include-pch "$dir/eigen.pch"
   find "$dir" -name '*.cpp' | wc -l | awk '{printf "%d headers", $1}' >"$note"
-  rm "$dir/eigen.hpp.gch"  # large
 }
 
 # consume PREFIX COMPONENT: a project of its own finds the component where it is installed, and of
@@ -212,7 +241,7 @@ check_install() {
 # Shared libraries, each linked to all that it uses; and the command beside them.
 check_shared() {
   local prefix=build/shared-installed
-  cmake -S . -B build/shared -G Ninja -DCMAKE_CXX_COMPILER=g++ -DBUILD_SHARED_LIBS=ON \
+  cmake -S . -B build/shared -G Ninja -DCMAKE_CXX_COMPILER=g++ -DBUILD_SHARED_LIBS=ON "${kUnity[@]}" \
     -DHEXAGAIT_TESTS=OFF -DHEXAGAIT_WERROR=ON -DCMAKE_SHARED_LINKER_FLAGS=-Wl,--no-undefined
   cmake --build build/shared
   rm -rf "$prefix" build/consumer

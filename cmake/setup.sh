@@ -112,5 +112,5 @@ build() {
   local preset=$1
   shift
   cmake --preset "$preset"
-  cmake --build --preset "$preset" "$@" | progress
+  cmake --build --preset "$preset" --parallel "$(nproc)" "$@" | progress
 }

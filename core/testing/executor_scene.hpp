@@ -4,12 +4,11 @@
 
 #include <hexagait/executor/executor.hpp>
 #include <hexagait/model/kinematics.hpp>
+#include <testing/control_period.hpp>
 #include <testing/round_params.hpp>
 
 /// For tests of the executor alone.
 namespace hexagait::testing {
-
-inline constexpr double kDt = 0.002;  ///< control period of a Scene [s]
 
 /// A robot on the plane z = 0 that does exactly what the executor wants.
 struct Scene {

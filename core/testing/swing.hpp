@@ -6,12 +6,12 @@
 
 #include <functional>
 #include <hexagait/executor/leg_lane.hpp>
+#include <testing/control_period.hpp>
 #include <testing/round_params.hpp>
 
 /// One lane, and a world for its foot.
 namespace hexagait::testing {
 
-inline constexpr double kDt = 0.002;
 inline const Pose kBody{rotation_z(0.7), {1.0, -2.0, 0.3}};  // at rest in odom
 
 /// A lane under a body at rest. The foot goes where it is told; whether it touches something there

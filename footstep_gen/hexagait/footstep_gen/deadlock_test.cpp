@@ -4,21 +4,18 @@
 
 #include <hexagait/footstep_gen/deadlock.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
-#include <hexagait/urdf/urdf.hpp>
+#include <testing/argos.hpp>
+#include <testing/control_period.hpp>
 #include <testing/kinematic_plant.hpp>
 
 namespace hexagait::footstep_gen {
 namespace {
 
 using heading_control::Heading;
+using hexagait::testing::argos;
+using hexagait::testing::kDt;
 
-constexpr double kDt = 0.002;
 constexpr LegId kRightFront = 1, kLeftFront = 0, kRightMiddle = 3;
-
-const RobotModel& argos() {
-  static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  return model;
-}
 
 // Argos, which walks straight on, with all feet displaced from their centres.
 DeadlockInput standing(const Vector3& off) {

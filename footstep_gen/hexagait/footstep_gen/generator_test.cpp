@@ -16,8 +16,6 @@ namespace {
 using heading_control::Heading;
 using heading_control::PathArc;
 
-constexpr double kPi = std::numbers::pi;
-
 StepParams round_step() { return hexagait::testing::round_params().step; }
 
 /// Of six feet from their workspace centres [m].
@@ -78,7 +76,8 @@ TEST(GaitInput, SaysHowFarFeetLagAndWhichOnesMustGo) {
     EXPECT_NEAR(input.lag[i], -offset[static_cast<std::size_t>(i)].x(), 1e-12);
   EXPECT_EQ(input.urgent, LegSet(0b001000));
   EXPECT_EQ(input.airborne, LegSet(0b100000)) << "from the command to lift on";
-  const auto back = gait_input(stance.arc(Heading::straight(kPi)), stance.executor, {});
+  const auto back =
+      gait_input(stance.arc(Heading::straight(std::numbers::pi)), stance.executor, {});
   EXPECT_EQ(back.urgent, LegSet(0b010000));
 }
 
@@ -183,8 +182,8 @@ TEST(BaseCommand, KeepsTheCentreOfMassWithinTheFeet) {
                      stance.state.X_OB, {}, {.stability_margin = margin})
         .max_advance;
   };
-  EXPECT_NEAR(limit(kPi, 0.0), 0.0, 1e-9);
-  EXPECT_EQ(limit(kPi, 0.03), 0.0) << "not negative";
+  EXPECT_NEAR(limit(std::numbers::pi, 0.0), 0.0, 1e-9);
+  EXPECT_EQ(limit(std::numbers::pi, 0.03), 0.0) << "not negative";
   EXPECT_NEAR(limit(0.0, 0.03), 0.98 * stance.robot.legs[0].workspace_radius, 1e-9);
 }
 
@@ -196,12 +195,12 @@ TEST(BaseCommand, BoundsTheWayBackLikeTheWayAhead) {
     if (trial % 3 != 0)
       stance.lift(trial % 3 == 1 ? std::initializer_list<LegId>{0, 3, 4}
                                  : std::initializer_list<LegId>{4});
-    const double alpha = random.uniform(-kPi, kPi);
+    const double alpha = random.uniform(-std::numbers::pi, std::numbers::pi);
     const auto command = [&](double along) {
       return base_auto(stance.robot, stance.arc(Heading::straight(along)), stance.executor,
                        stance.state.X_OB, {}, {});
     };
-    const BaseAutoCommand there = command(alpha), reverse = command(alpha + kPi);
+    const BaseAutoCommand there = command(alpha), reverse = command(alpha + std::numbers::pi);
     EXPECT_NEAR(-there.min_advance, reverse.max_advance, 1e-9) << trial;
     EXPECT_NEAR(-reverse.min_advance, there.max_advance, 1e-9) << trial;
   }
@@ -231,7 +230,7 @@ TEST(BaseCommand, DoesNotDriveOnOverTwoFeetOrOne) {
   const Vector2 line = (stance.robot.legs[0].p_BC - stance.robot.legs[5].p_BC).head<2>();
   const double across = std::abs(cross(line.normalized(), Vector2::UnitX()));
   EXPECT_NEAR(left(0.0), 0.03 / across, 1e-9);
-  EXPECT_NEAR(left(kPi), 0.03 / across, 1e-9);
+  EXPECT_NEAR(left(std::numbers::pi), 0.03 / across, 1e-9);
   stance.lift({5});
   EXPECT_EQ(left(0.0), 0.0);
 }
@@ -275,9 +274,10 @@ TEST(BaseCommand, GivesALostMarginBack) {
   stance.lift({4, 5});
   for (const double inside : {0.01, 0.03, 0.05}) {
     stance.robot.p_BM = {inside, 0.0, 0.0};
-    const Vector2 back = base_auto(stance.robot, stance.arc(Heading::straight(kPi / 2.0)),
-                                   stance.executor, stance.state.X_OB, {}, round_step())
-                             .correction.v;
+    const Vector2 back =
+        base_auto(stance.robot, stance.arc(Heading::straight(std::numbers::pi / 2.0)),
+                  stance.executor, stance.state.X_OB, {}, round_step())
+            .correction.v;
     EXPECT_LT((back - Vector2(std::max(0.0, 0.03 - inside), 0.0)).norm(), 1e-9) << inside;
   }
 }
@@ -290,8 +290,9 @@ TEST(BaseCommand, BrakesAsHardAsTheSupportPolygonAllows) {
   stance.executor = Executor(stance.robot, hexagait::testing::round_executor());
   stance.executor.reset(stance.state);
   const auto braking = [&] {
-    return base_auto(stance.robot, stance.arc(Heading::straight(kPi / 2.0)), stance.executor,
-                     stance.state.X_OB, {}, {.stability_margin = 0.03, .lift_margin = 0.06})
+    return base_auto(stance.robot, stance.arc(Heading::straight(std::numbers::pi / 2.0)),
+                     stance.executor, stance.state.X_OB, {},
+                     {.stability_margin = 0.03, .lift_margin = 0.06})
         .max_braking;
   };
   EXPECT_EQ(braking(), 0.0) << "at rest";
@@ -359,8 +360,9 @@ void place_at_random(Stance& stance, RandomSequence& random) {
   for (LegId i = 0; i < 6; ++i) {
     const LegModel& leg = stance.robot.legs[i];
     const double r = 0.97 * leg.workspace_radius * std::sqrt(random.u01());
-    stance.state.p_BF[i] = leg.p_BC + rotation_z(random.uniform(-kPi, kPi)) *
-                                          Vector3(r, 0.0, random.uniform(-0.08, 0.08));
+    stance.state.p_BF[i] =
+        leg.p_BC + rotation_z(random.uniform(-std::numbers::pi, std::numbers::pi)) *
+                       Vector3(r, 0.0, random.uniform(-0.08, 0.08));
   }
   stance.place();
 }
@@ -417,8 +419,8 @@ TEST(BaseCommand, LeavesStandingFeetInReachAndTheCentreOfMassInside) {
         stance.lift({i});
         stance.state.contact[i] = false;
       }
-      const PathArc arc =
-          stance.arc(Heading::arc(random.uniform(0.3, 3.0), random.uniform(-kPi, kPi)));
+      const PathArc arc = stance.arc(Heading::arc(
+          random.uniform(0.3, 3.0), random.uniform(-std::numbers::pi, std::numbers::pi)));
       const PlanarTwist off{{random.uniform(-0.15, 0.15), random.uniform(-0.15, 0.15)},
                             random.uniform(-0.2, 0.2)};
       const double to_be = std::min(margin(stance), round_step().stability_margin);

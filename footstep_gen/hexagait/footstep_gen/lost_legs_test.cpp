@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <hexagait/footstep_gen/walker.hpp>
+#include <testing/control_period.hpp>
 #include <testing/kinematic_plant.hpp>
 
 // Robots that lose legs, and sensors that lie, on a plant that follows exactly.
@@ -11,10 +12,9 @@ namespace hexagait::footstep_gen {
 namespace {
 
 using heading_control::Heading;
+using hexagait::testing::kDt;
 using testing::KinematicPlant;
 using testing::robot_of;
-
-constexpr double kDt = 0.002;
 
 LegSet set_of(std::initializer_list<LegId> legs) {
   LegSet set;

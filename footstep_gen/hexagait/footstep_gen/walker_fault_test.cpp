@@ -4,9 +4,10 @@
 
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/text/invalid_input.hpp>
-#include <hexagait/urdf/urdf.hpp>
 #include <limits>
 #include <string>
+#include <testing/argos.hpp>
+#include <testing/control_period.hpp>
 #include <testing/kinematic_plant.hpp>
 #include <vector>
 
@@ -14,14 +15,10 @@ namespace hexagait::footstep_gen {
 namespace {
 
 using heading_control::Heading;
+using hexagait::testing::argos;
+using hexagait::testing::kDt;
 
-constexpr double kDt = 0.002;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-const RobotModel& argos() {
-  static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  return model;
-}
 
 struct Walk {
   Walker walker{argos()};

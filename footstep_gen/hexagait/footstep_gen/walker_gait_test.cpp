@@ -6,6 +6,7 @@
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/gait_state/ring.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <testing/control_period.hpp>
 #include <testing/kinematic_plant.hpp>
 #include <vector>
 
@@ -19,9 +20,7 @@ using gait_state::Adjustment;
 using gait_state::Stepping;
 using heading_control::Heading;
 using heading_control::Turn;
-
-constexpr double kPi = std::numbers::pi;
-constexpr double kDt = 0.002;
+using hexagait::testing::kDt;
 
 struct Step {
   double lift = 0.0, land = 0.0;  // [s]
@@ -156,8 +155,9 @@ TEST(WaveGait, RunsFromTheRearForwardsOnBothSidesHalfAPeriodApart) {
 
 TEST(WaveGait, RunsForwardsWhereverForwardsIs) {
   const RobotModel model = testing::robot_of(6);
-  for (const Heading& heading : {Heading::straight(kPi), Heading::straight(0.5 * kPi),
-                                 Heading::arc(3.0, 0.0), Heading::arc(-3.0, -0.5 * kPi)}) {
+  for (const Heading& heading :
+       {Heading::straight(std::numbers::pi), Heading::straight(0.5 * std::numbers::pi),
+        Heading::arc(3.0, 0.0), Heading::arc(-3.0, -0.5 * std::numbers::pi)}) {
     for (const double duty_factor : {0.625, 0.75}) {
       Walk walk(model, params_of(Stepping::wave, duty_factor));
       walk.walk(heading, 40.0);
@@ -190,9 +190,10 @@ TEST(WaveGait, StarvesNoLegHoweverTheDutyFactorAndTheHeadingChange) {
     const double duty_factor = random.uniform(0.5, 5.0 / 6.0),
                  curvature = random.uniform(-2.0, 2.0);
     walk.walker.set_stepping({.stepping = Stepping::wave, .duty_factor = duty_factor});
-    const Heading heading = random.u01() < 0.1
-                                ? Heading::spin(Turn::cw)
-                                : Heading::arc(1.0 / curvature, random.uniform(-kPi, kPi));
+    const Heading heading =
+        random.u01() < 0.1
+            ? Heading::spin(Turn::cw)
+            : Heading::arc(1.0 / curvature, random.uniform(-std::numbers::pi, std::numbers::pi));
     walk.walk(heading, random.uniform(0.1, 4.0));
     if (HasFailure()) return;
   }

@@ -7,9 +7,10 @@
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/heading_control/twist.hpp>
 #include <hexagait/text/invalid_input.hpp>
-#include <hexagait/urdf/urdf.hpp>
 #include <limits>
 #include <set>
+#include <testing/argos.hpp>
+#include <testing/control_period.hpp>
 #include <testing/kinematic_plant.hpp>
 #include <vector>
 
@@ -22,14 +23,8 @@ static_assert(!std::is_constructible_v<Walker, const RobotModel, WalkerParams>);
 
 using heading_control::Heading;
 using heading_control::Turn;
-
-constexpr double kPi = std::numbers::pi;
-constexpr double kDt = 0.002;
-
-const RobotModel& argos() {
-  static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  return model;
-}
+using hexagait::testing::argos;
+using hexagait::testing::kDt;
 
 /// Rule 1 in its own words: who stands beside whom, for n legs in two rows.
 bool are_neighbours(LegId a, LegId b, int n) {
@@ -104,17 +99,21 @@ struct Walk {
 };
 
 Heading random_heading(RandomSequence& random) {
-  const double kind = random.u01(), alpha = random.uniform(-kPi, kPi);
+  const double kind = random.u01(), alpha = random.uniform(-std::numbers::pi, std::numbers::pi);
   if (kind < 0.1) return Heading::straight(alpha);
   if (kind < 0.2) return Heading::spin(alpha < 0.0 ? Turn::cw : Turn::ccw);
   const double r = std::exp(random.uniform(std::log(0.05), std::log(20.0)));
   return Heading::arc(kind < 0.6 ? r : -r, alpha);
 }
 
-const std::vector<Heading> kHeadings = {Heading::straight(0.0),       Heading::straight(kPi),
-                                        Heading::straight(0.5 * kPi), Heading::arc(1.0, 0.0),
-                                        Heading::arc(-0.7, 1.0),      Heading::spin(Turn::ccw),
-                                        Heading::spin(Turn::cw),      Heading::arc(0.3, 0.0)};
+const std::vector<Heading> kHeadings = {Heading::straight(0.0),
+                                        Heading::straight(std::numbers::pi),
+                                        Heading::straight(0.5 * std::numbers::pi),
+                                        Heading::arc(1.0, 0.0),
+                                        Heading::arc(-0.7, 1.0),
+                                        Heading::spin(Turn::ccw),
+                                        Heading::spin(Turn::cw),
+                                        Heading::arc(0.3, 0.0)};
 
 // The first index from which on the lifts come in threes that are alternately the one and the other
 // tripod, to the end; their number if they don't.
@@ -273,7 +272,7 @@ TEST(WalkerGait, LetsNoLegStarveWhileTheRadiusSweepsThroughAllValues) {
   walk.walk(Heading::spin(Turn::ccw), 5.0);
   walk.longest_wait = LegArray<double>(6, 0.0);
   for (int k = 0; k < 60000; ++k) {
-    const double chi = 0.5 * kPi - 2.0 * kPi * k / 60000.0;
+    const double chi = 0.5 * std::numbers::pi - 2.0 * std::numbers::pi * k / 60000.0;
     walk.tick(Heading::along({0.5 * std::cos(chi), 0.0}, std::sin(chi)));
     if (HasFatalFailure()) return;
   }
@@ -283,7 +282,7 @@ TEST(WalkerGait, LetsNoLegStarveWhileTheRadiusSweepsThroughAllValues) {
 // From r = 2 m to 0.1 m, across the spin to −0.1 m, and on to −2 m: 60 s a sweep, for three crab
 // angles. The turning centre goes straight through the legs' stance.
 TEST(WalkerGait, LetsNoLegStarveWhileTheTurningCentreCrossesTheWorkspaces) {
-  for (const double alpha : {0.0, 0.5 * kPi, 2.0}) {
+  for (const double alpha : {0.0, 0.5 * std::numbers::pi, 2.0}) {
     Walk walk(argos());
     walk.walk(Heading::arc(2.0, alpha), 5.0);
     walk.longest_wait = LegArray<double>(6, 0.0);
@@ -340,7 +339,7 @@ TEST(WalkerSteering, TakesEffectInTheSameTick) {
 
 // The body goes where it is told: along α, round to the left for r > 0, on the spot.
 TEST(WalkerSteering, GoesWhereTheHeadingPoints) {
-  for (const double alpha : {0.0, 0.8, kPi, -2.0}) {
+  for (const double alpha : {0.0, 0.8, std::numbers::pi, -2.0}) {
     Walk walk(argos(), 0.0);
     walk.walk(Heading::straight(alpha), 20.0);
     const Vector2 ahead(std::cos(alpha), std::sin(alpha));

@@ -14,7 +14,6 @@ namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kPi = std::numbers::pi;
 
 // r = ρ/k and ρ² + k² = 1: for r = 3/4 m, (ρ, k) = (3, 4)/5.
 TEST(Heading, HoldsTheRadiusAsAPointOnTheUnitCircle) {
@@ -32,7 +31,7 @@ TEST(Heading, GivesBackItsRadiusAndCrabAngle) {
   for (int k = 0; k < 1000; ++k) {
     const double sign = k % 2 == 0 ? 1.0 : -1.0;
     const double r = sign * std::pow(10.0, random.uniform(-9.0, 9.0));
-    const double alpha = random.uniform(-kPi, kPi);
+    const double alpha = random.uniform(-std::numbers::pi, std::numbers::pi);
     const Heading heading = Heading::arc(r, alpha);
     EXPECT_NEAR(heading.radius() / r, 1.0, 1e-15);
     EXPECT_NEAR(heading.curvature() * r, 1.0, 1e-15);
@@ -57,8 +56,9 @@ TEST(Heading, SpinSaysItsTurnOtherThanByTheSignOfZero) {
 }
 
 TEST(Heading, WrapsTheCrabAngle) {
-  EXPECT_NEAR(Heading::arc(2.0, 0.5 + 2.0 * kPi).crab_angle(), 0.5, 1e-15);
-  EXPECT_NEAR(Heading::straight(1.5 * kPi).crab_angle(), -0.5 * kPi, 1e-15);
+  EXPECT_NEAR(Heading::arc(2.0, 0.5 + 2.0 * std::numbers::pi).crab_angle(), 0.5, 1e-15);
+  EXPECT_NEAR(Heading::straight(1.5 * std::numbers::pi).crab_angle(), -0.5 * std::numbers::pi,
+              1e-15);
 }
 
 // Extremes of double: no overflow, no 0/0.
@@ -92,7 +92,7 @@ TEST(Heading, AlongAMotionHasTheRatioAsRadius) {
 TEST(Heading, AlongTurnOrShiftAloneIsSpinOrStraight) {
   EXPECT_EQ(Heading::along({0.0, 0.0}, 1e-3), Heading::spin(Turn::ccw));
   EXPECT_EQ(Heading::along({0.0, 0.0}, -1e3), Heading::spin(Turn::cw));
-  EXPECT_EQ(Heading::along({0.0, 2.0}, 0.0), Heading::straight(0.5 * kPi));
+  EXPECT_EQ(Heading::along({0.0, 2.0}, 0.0), Heading::straight(0.5 * std::numbers::pi));
 }
 
 TEST(Heading, AlongNothingOrNonsenseIsStop) {

@@ -8,7 +8,6 @@
 namespace hexagait::heading_control {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kReach = 0.2;
 
 Stance six_legs() {
@@ -19,12 +18,13 @@ Stance six_legs() {
 }
 
 Vector3 anywhere_in_the_disc(RandomSequence& random, const Vector3& centre) {
-  const double angle = random.uniform(-kPi, kPi), distance = kReach * std::sqrt(random.u01());
+  const double angle = random.uniform(-std::numbers::pi, std::numbers::pi),
+               distance = kReach * std::sqrt(random.u01());
   return centre + distance * Vector3(std::cos(angle), std::sin(angle), random.uniform(-1, 1));
 }
 
 TEST(Lag, IsTheDistanceBehindTheCentreOnAStraightLine) {
-  const PathArc arc = path_arc(Heading::straight(kPi / 2), six_legs());
+  const PathArc arc = path_arc(Heading::straight(std::numbers::pi / 2), six_legs());
   EXPECT_NEAR(lag(arc, 0, arc.p_BC[0] - Vector3(0.0, 0.07, 0.0)), 0.07, 1e-15);
   EXPECT_NEAR(lag(arc, 5, arc.p_BC[5] + Vector3(0.5, 0.02, 0.3)), -0.02, 1e-15);
 }
@@ -33,7 +33,8 @@ TEST(Lag, IsNegativeAtTheAepAndZeroAtTheCentre) {
   RandomSequence random{.seed = 1};
   for (int k = 0; k < 500; ++k) {
     const double r = (k % 2 == 0 ? 1.0 : -1.0) * std::pow(10.0, random.uniform(-2.0, 2.0));
-    const PathArc arc = path_arc(Heading::arc(r, random.uniform(-kPi, kPi)), six_legs());
+    const PathArc arc =
+        path_arc(Heading::arc(r, random.uniform(-std::numbers::pi, std::numbers::pi)), six_legs());
     for (LegId leg = 0; leg < 6; ++leg) {
       EXPECT_LT(lag(arc, leg, aep(arc, leg, 0.05)), 0.0);
       EXPECT_GT(lag(arc, leg, aep(arc, leg, -0.05)), 0.0);
@@ -61,7 +62,7 @@ TEST(Lag, IsTheAngleOfThePaperForSmallOffsets) {
   RandomSequence random{.seed = 2};
   for (int k = 0; k < 500; ++k) {
     const double r = (k % 2 == 0 ? 1.0 : -1.0) * random.uniform(1.0, 5.0);
-    const double alpha = random.uniform(-kPi, kPi);
+    const double alpha = random.uniform(-std::numbers::pi, std::numbers::pi);
     const PathArc arc = path_arc(Heading::arc(r, alpha), six_legs());
     const Vector2 o(-r * std::sin(alpha), r * std::cos(alpha));
     const LegId leg = k % 6;
@@ -80,7 +81,7 @@ TEST(Lag, IsBoundedAsTheTurningCentreSweepsThroughTheWorkspaces) {
   RandomSequence random{.seed = 3};
   const Stance w = six_legs();
   const double L = std::hypot(0.8, 0.6);
-  for (const double alpha : {0.0, std::atan2(-0.4, 0.3), kPi / 2, -2.0}) {
+  for (const double alpha : {0.0, std::atan2(-0.4, 0.3), std::numbers::pi / 2, -2.0}) {
     for (int i = -3000; i <= 3000; ++i) {
       const double r = 1e-3 * i;
       const PathArc arc = path_arc(i == 0 ? Heading::spin(Turn::ccw) : Heading::arc(r, alpha), w);
@@ -124,7 +125,8 @@ TEST(Lag, IsUnchangedByMirroringOrTurningTheWholeProblem) {
   const Matrix3 mirror = Vector3(1.0, -1.0, 1.0).asDiagonal();
   for (int k = 0; k < 500; ++k) {
     const double r = (k % 2 == 0 ? 1.0 : -1.0) * std::pow(10.0, random.uniform(-2.0, 3.0));
-    const double alpha = random.uniform(-kPi, kPi), beta = random.uniform(-kPi, kPi);
+    const double alpha = random.uniform(-std::numbers::pi, std::numbers::pi),
+                 beta = random.uniform(-std::numbers::pi, std::numbers::pi);
     Stance mirrored = six_legs(), turned = six_legs();
     for (Vector3& c : mirrored.p_BC) c = mirror * c;
     for (Vector3& c : turned.p_BC) c = rotation_z(beta) * c;

@@ -10,7 +10,6 @@
 namespace hexagait::heading_control {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kRounding = 1e-15;
 
 // Corners at (±0.4, ±0.3): the centres' greatest distance ℓ from the origin is 0.5 m.
@@ -36,7 +35,7 @@ TEST(StraightLine, IsTheLimitOfLargeRadiiOnBothSides) {
   const double s = 0.3;
   RandomSequence random{.seed = 1};
   for (int k = 0; k < 400; ++k) {
-    const double alpha = random.uniform(-kPi, kPi);
+    const double alpha = random.uniform(-std::numbers::pi, std::numbers::pi);
     const double curvature = (k % 2 == 0 ? 1.0 : -1.0) * std::pow(10.0, -0.04 * k);
     const double size = std::abs(curvature);
     const double bound = size * s * (2.0 * kL + s / 2.0) / (1.0 - size * kL);
@@ -66,7 +65,7 @@ TEST(Spin, IsTheOneSidedLimitOfSmallRadii) {
   const double s = 0.3;
   RandomSequence random{.seed = 2};
   for (int k = 0; k < 200; ++k) {
-    const double alpha = random.uniform(-kPi, kPi);
+    const double alpha = random.uniform(-std::numbers::pi, std::numbers::pi);
     const double r = 0.1 * std::pow(10.0, -0.08 * k);
     const double bound = r * s * (2.0 + s / (2.0 * kL)) / (kL - r);
     EXPECT_LE(greatest_difference(path_arc(Heading::arc(r, alpha), six_legs()),

@@ -8,8 +8,6 @@
 namespace hexagait::heading_control {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // Six legs, two by two: x = 0.4, 0, −0.4; y = ±0.3.
 Stance six_legs() {
   Stance w{LegArray<Vector3>(6), LegArray<double>(6, 0.2)};
@@ -50,7 +48,8 @@ TEST(TurningCentre, IsOnTheLeftForPositiveRadius) {
 TEST(TurningCentre, IsAtRest) {
   RandomSequence random{.seed = 1};
   for (int k = 0; k < 1000; ++k) {
-    const double r = random_radius(random), alpha = random.uniform(-kPi, kPi);
+    const double r = random_radius(random),
+                 alpha = random.uniform(-std::numbers::pi, std::numbers::pi);
     const PathArc arc = path_arc(Heading::arc(r, alpha), six_legs());
     const Vector3 o(-r * std::sin(alpha), r * std::cos(alpha), 0.0);
     EXPECT_LE(direction_at(arc, o).norm(), 1e-14);
@@ -97,9 +96,9 @@ TEST(Aep, IsAheadAlongAStraightLine) {
 
 // α = π walks backwards: AEPs are behind. Turning left then has its centre on the body's right.
 TEST(Aep, IsBehindWhenWalkingBackwards) {
-  const PathArc straight = path_arc(Heading::straight(kPi), six_legs());
+  const PathArc straight = path_arc(Heading::straight(std::numbers::pi), six_legs());
   expect_near(aep(straight, 0, 0.1), straight.p_BC[0] - Vector3(0.1, 0.0, 0.0), 1e-15);
-  const PathArc arc = path_arc(Heading::arc(2.0, kPi), six_legs());
+  const PathArc arc = path_arc(Heading::arc(2.0, std::numbers::pi), six_legs());
   EXPECT_NEAR(direction_at(arc, {0.0, -2.0, 0.0}).norm(), 0.0, 1e-15);
   EXPECT_GT(arc.per_metre.w, 0.0);
   EXPECT_LT(direction_at(arc, Vector3::Zero()).x(), 0.0);
@@ -139,7 +138,8 @@ TEST(Displacement, IsThePrintedProductOfTurnsAndShifts) {
   RandomSequence random{.seed = 3};
   for (int k = 0; k < 1000; ++k) {
     const Stance w = random_stance(random, 6);
-    const double r = random_radius(random), alpha = random.uniform(-kPi, kPi);
+    const double r = random_radius(random),
+                 alpha = random.uniform(-std::numbers::pi, std::numbers::pi);
     const PathArc arc = path_arc(Heading::arc(r, alpha), w);
     const double s = random.uniform(-0.5, 0.5);
     const Eigen::Vector2<long double> o(-r * std::sin(alpha + 0.0L), r * std::cos(alpha + 0.0L));
@@ -187,7 +187,8 @@ struct Problem {
 
 Problem random_problem(RandomSequence& random) {
   const Stance w = random_stance(random, 6);
-  const double r = random_radius(random), alpha = random.uniform(-kPi, kPi);
+  const double r = random_radius(random),
+               alpha = random.uniform(-std::numbers::pi, std::numbers::pi);
   return {r, alpha, random.uniform(-0.4, 0.4), w};
 }
 
@@ -196,7 +197,7 @@ TEST(Aep, TurnsWithTheWholeProblem) {
   RandomSequence random{.seed = 6};
   for (int k = 0; k < 500; ++k) {
     const Problem q = random_problem(random);
-    const Matrix3 R = rotation_z(random.uniform(-kPi, kPi));
+    const Matrix3 R = rotation_z(random.uniform(-std::numbers::pi, std::numbers::pi));
     Stance turned = q.w;
     for (Vector3& c : turned.p_BC) c = R * c;
     const double beta = std::atan2(R(1, 0), R(0, 0));

@@ -11,7 +11,6 @@
 namespace hexagait::heading_control {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kTick = 0.001;  // path between updates [m]
 
 /// A straight line, an arc to the left, one to the right, a spin, backwards, crabwise round a
@@ -93,10 +92,12 @@ TEST(PathTracker, ReturnsTheTwistFromTheBaseToTheIdealPose) {
 TEST(PathTracker, MeasuresTheDistanceToTheCircleOrLine) {
   RandomSequence random{.seed = 10};
   for (int trial = 0; trial < 300; ++trial) {
-    const double alpha = random.uniform(-kPi, kPi), d = random.uniform(-0.08, 0.08);
+    const double alpha = random.uniform(-std::numbers::pi, std::numbers::pi),
+                 d = random.uniform(-0.08, 0.08);
     const double r = trial % 3 == 0 ? 1e12 : std::copysign(random.uniform(0.8, 5.0), alpha);
     const Vector2 ahead(std::cos(alpha), std::sin(alpha)), left = perpendicular(ahead);
-    const PlanarPose start{random.uniform(-kPi, kPi), {random.u01(), random.u01()}};
+    const PlanarPose start{random.uniform(-std::numbers::pi, std::numbers::pi),
+                           {random.u01(), random.u01()}};
     const Vector2 o = start * Vector2(r * left);
     PathTracker tracker = following({ahead, 1.0 / r}, start);
     for (int k = 1; k <= 300; ++k) {

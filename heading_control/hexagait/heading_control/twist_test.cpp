@@ -9,7 +9,6 @@
 namespace hexagait::heading_control {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // Not symmetric front to rear, so that the sense of a turn shows in the speed: corners at x = 0.5,
@@ -47,7 +46,8 @@ TEST(ToTwist, IsUndoneByFromTwist) {
   RandomSequence random{.seed = 2};
   for (int k = 0; k < 2000; ++k) {
     const double r = (k % 2 == 0 ? 1.0 : -1.0) * std::pow(10.0, random.uniform(-6.0, 6.0));
-    const double alpha = random.uniform(-kPi, kPi), speed = random.uniform(0.01, 1.0);
+    const double alpha = random.uniform(-std::numbers::pi, std::numbers::pi),
+                 speed = random.uniform(0.01, 1.0);
     const PlanarTwist twist = to_twist(path_arc(Heading::arc(r, alpha), six_legs()), speed);
     const HeadingCommand back = from_twist(twist, six_legs());
     EXPECT_NEAR(back.heading.radius() / r, 1.0, 4e-15);
@@ -62,7 +62,7 @@ TEST(FromTwist, TurnsAloneOnASpinAndShiftsAloneOnAStraightLine) {
   EXPECT_EQ(spin.heading, Heading::spin(Turn::cw));
   EXPECT_NEAR(spin.speed_limit, 0.4 * std::hypot(0.5, 0.3), 1e-15);
   const HeadingCommand line = from_twist({{0.0, -0.3}, 0.0}, six_legs());
-  EXPECT_EQ(line.heading, Heading::straight(-kPi / 2));
+  EXPECT_EQ(line.heading, Heading::straight(-std::numbers::pi / 2));
   EXPECT_NEAR(line.speed_limit, 0.3, 1e-15);
 }
 

@@ -11,8 +11,6 @@
 namespace hexagait::path_following {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 Path corner() { return {{{{0.0, 0.0}}, {{2.0, 0.0}}, {{2.0, 1.0}}}, Shape::lines, false}; }
 
 // 2 m ahead, then 1 m to the left.
@@ -22,7 +20,7 @@ TEST(Path, HasItsLengthFromTheFirstWaypoint) {
   EXPECT_TRUE(path.at(0.5).isApprox(Vector2(0.5, 0.0)));
   EXPECT_TRUE(path.at(2.25).isApprox(Vector2(2.0, 0.25)));
   EXPECT_DOUBLE_EQ(path.direction(1.9), 0.0);
-  EXPECT_DOUBLE_EQ(path.direction(2.1), 0.5 * kPi);
+  EXPECT_DOUBLE_EQ(path.direction(2.1), 0.5 * std::numbers::pi);
 }
 
 TEST(Path, GoesOnStraightBeyondItsEnds) {
@@ -43,7 +41,7 @@ TEST(Path, RepeatsItselfWhenClosed) {
 TEST(Path, OfASplineGoesSmoothlyThroughAllWaypoints) {
   constexpr double kRadius = 2.0;
   const Path path = testing::circle(kRadius);
-  EXPECT_NEAR(path.length(), 2.0 * kPi * kRadius, 1e-3);
+  EXPECT_NEAR(path.length(), 2.0 * std::numbers::pi * kRadius, 1e-3);
   for (int k = 0; k < 1000; ++k) {
     const double s = 0.001 * k * path.length();
     const Vector2 arm = path.at(s) - Vector2(0.0, kRadius);
@@ -51,7 +49,7 @@ TEST(Path, OfASplineGoesSmoothlyThroughAllWaypoints) {
     EXPECT_NEAR(wrap_angle(path.direction(s) - s / kRadius), 0.0, 0.004);
   }
   for (int k = 0; k < 64; ++k) {
-    const double angle = 2.0 * kPi * k / 64.0;
+    const double angle = 2.0 * std::numbers::pi * k / 64.0;
     const Vector2 waypoint(kRadius * std::sin(angle), kRadius * (1.0 - std::cos(angle)));
     const double s = path.nearest(waypoint, 0.0, path.length());
     EXPECT_LT((path.at(s) - waypoint).norm(), 1e-9);
@@ -70,21 +68,22 @@ TEST(Path, OfASplineHasNoCorners) {
 
 // From 170° to −170° by way of 180°, evenly.
 TEST(Path, TurnsTheFacingTheShorterWay) {
-  const Path path(
-      {{{0.0, 0.0}, 170.0 * kPi / 180.0}, {{1.0, 0.0}}, {{2.0, 0.0}, -170.0 * kPi / 180.0}},
-      Shape::lines, false);
+  const Path path({{{0.0, 0.0}, 170.0 * std::numbers::pi / 180.0},
+                   {{1.0, 0.0}},
+                   {{2.0, 0.0}, -170.0 * std::numbers::pi / 180.0}},
+                  Shape::lines, false);
   EXPECT_TRUE(path.has_facing());
-  EXPECT_NEAR(std::abs(path.facing(1.0)), kPi, 1e-12);
-  EXPECT_NEAR(path.facing(0.5), 175.0 * kPi / 180.0, 1e-12);
-  EXPECT_NEAR(path.facing(5.0), -170.0 * kPi / 180.0, 1e-12);
+  EXPECT_NEAR(std::abs(path.facing(1.0)), std::numbers::pi, 1e-12);
+  EXPECT_NEAR(path.facing(0.5), 175.0 * std::numbers::pi / 180.0, 1e-12);
+  EXPECT_NEAR(path.facing(5.0), -170.0 * std::numbers::pi / 180.0, 1e-12);
 }
 
 TEST(Path, TurnsTheFacingAlongTheLastPieceOfAClosedOne) {
-  Waypoint first{{0.0, 0.0}, 0.0}, second{{1.0, 0.0}, 0.5 * kPi};
+  Waypoint first{{0.0, 0.0}, 0.0}, second{{1.0, 0.0}, 0.5 * std::numbers::pi};
   const Path path({first, second, {{1.0, 1.0}}, {{0.0, 1.0}}}, Shape::lines, true);
-  EXPECT_NEAR(path.facing(0.5), 0.25 * kPi, 1e-12);
-  EXPECT_NEAR(path.facing(2.5), 0.25 * kPi, 1e-12);  // half-way back
-  EXPECT_NEAR(path.facing(4.5), 0.25 * kPi, 1e-12);  // the second lap
+  EXPECT_NEAR(path.facing(0.5), 0.25 * std::numbers::pi, 1e-12);
+  EXPECT_NEAR(path.facing(2.5), 0.25 * std::numbers::pi, 1e-12);  // half-way back
+  EXPECT_NEAR(path.facing(4.5), 0.25 * std::numbers::pi, 1e-12);  // the second lap
 }
 
 TEST(Path, KeepsASpeedUntilTheNextOne) {

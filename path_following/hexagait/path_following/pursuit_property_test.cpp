@@ -15,8 +15,6 @@ namespace {
 using heading_control::Heading;
 using testing::Follower;
 
-constexpr double kPi = std::numbers::pi;
-
 double between(int least, int most, double unit) {
   return unit * *rc::gen::inRange(least, most + 1);
 }
@@ -95,8 +93,8 @@ bool is_on_a_seam(const Scene& scene) {
   const Vector2 chord = now.goal_P - scene.X_PB.shift;
   const double facing = wrap_angle(facing_at(task, ahead) - scene.X_PB.angle);
   const double off = wrap_angle(portable::atan2(chord.y(), chord.x()) - task.path.direction(ahead));
-  return std::abs(std::abs(facing) - kPi) < 1e-3 || std::abs(std::abs(off) - kPi) < 1e-3 ||
-         chord.norm() < 1e-3;
+  return std::abs(std::abs(facing) - std::numbers::pi) < 1e-3 ||
+         std::abs(std::abs(off) - std::numbers::pi) < 1e-3 || chord.norm() < 1e-3;
 }
 
 TEST(PursuitLaw, DoesNotDependOnWhereThePathLies) {

@@ -13,7 +13,6 @@ namespace {
 using heading_control::Heading;
 using testing::Follower;
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kL = 0.3;  // look-ahead [m]
 
 PathTask task(Path path, FacingRule facing = {}) { return {std::move(path), facing, 1, kL}; }
@@ -58,7 +57,7 @@ TEST(Pursuit, FarFromAPathGoesAcrossToIt) {
   PathTask far = task(testing::line(5.0));
   const PathProgress progress{.s = 2.0, .on_path = true};
   const Heading heading = pursue(progress, far, {0.0, {2.0, -3.0}}, 0.0).command.heading;
-  EXPECT_NEAR(heading.crab_angle(), 0.5 * kPi, 1e-9);
+  EXPECT_NEAR(heading.crab_angle(), 0.5 * std::numbers::pi, 1e-9);
 }
 
 // A car: 1/r = 2 y / |g|², no crab.
@@ -96,7 +95,7 @@ TEST(Pursuit, CutsASquareCornerByAQuarterOfItsLookAhead) {
 TEST(Pursuit, KeepsAFigureOfEightAndASquareInAllWaysOfFacing) {
   std::vector<Waypoint> eight;
   for (int k = 0; k < 32; ++k) {
-    const double t = 2.0 * kPi * k / 32.0;
+    const double t = 2.0 * std::numbers::pi * k / 32.0;
     eight.push_back({{std::sin(2.0 * t), 1.5 * std::sin(t)}});
   }
   for (const FacingRule facing : {FacingRule{Facing::along, 0.0},
@@ -119,10 +118,11 @@ TEST(Pursuit, KeepsAFigureOfEightAndASquareInAllWaysOfFacing) {
 
 // Evenly by 90° on 2 m; on the last L, where the goal turns no farther, what is left decays by e.
 TEST(Pursuit, TurnsToTheFacingOfThePoints) {
-  const Waypoint from{{0.0, 0.0}, 0.0}, to{{2.0, 0.0}, 0.5 * kPi};
+  const Waypoint from{{0.0, 0.0}, 0.0}, to{{2.0, 0.0}, 0.5 * std::numbers::pi};
   Follower follower{.task = task({{from, to}, Shape::lines, false}, {Facing::points, 0.0})};
   follower.follow(10'000, 0.001);
-  EXPECT_NEAR(follower.X_PB.angle, 0.5 * kPi, 0.25 * kL / std::numbers::e * kPi * 1.05);
+  EXPECT_NEAR(follower.X_PB.angle, 0.5 * std::numbers::pi,
+              0.25 * kL / std::numbers::e * std::numbers::pi * 1.05);
   EXPECT_LT(follower.farthest, 2e-3);
 }
 

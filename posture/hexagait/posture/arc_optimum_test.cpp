@@ -13,12 +13,12 @@ namespace {
 using testing::centres;
 using testing::random_feet;
 using enum ArcOptimum::Status;
-constexpr double kPi = std::numbers::pi;
 const LegSet kAll = LegSet::all(6);
 const LegSet kTripod = LegSet(0b011001);
 
 PlanarTwist random_twist(RandomSequence& random, double w) {
-  const double alpha = random.uniform(-kPi, kPi), speed = random.uniform(0.5, 1.0);
+  const double alpha = random.uniform(-std::numbers::pi, std::numbers::pi),
+               speed = random.uniform(0.5, 1.0);
   return {speed * Vector2(std::cos(alpha), std::sin(alpha)), w};
 }
 LegSet random_support(RandomSequence& random) {
@@ -162,7 +162,8 @@ TEST(ArcOptimum, IsTheLeastErrorOnTheWholeCircleWhenAllLegsSupport) {
     const auto error = [&](double s) {
       return quadratic_error(feet_after(p, kAll, twist, s), centres());
     };
-    const double spacing = 2.0 * kPi / w / 2000, s = arc_optimum(p, centres(), kAll, twist).advance;
+    const double spacing = 2.0 * std::numbers::pi / w / 2000,
+                 s = arc_optimum(p, centres(), kAll, twist).advance;
     double best = 0.0;
     for (int i = -1000; i < 1000; ++i)
       if (error(i * spacing) < error(best)) best = i * spacing;
@@ -233,7 +234,8 @@ TEST(ArcOptimum, IsTheLeastGradientWhereNoneVanishes) {
     ++clamped_cases;
     const double least = std::abs(gradient_after(p, support, twist, optimum.advance));
     for (int i = 0; i < 300; ++i)
-      EXPECT_GE(std::abs(gradient_after(p, support, twist, 2 * kPi / w * i / 300)), least - 1e-13);
+      EXPECT_GE(std::abs(gradient_after(p, support, twist, 2 * std::numbers::pi / w * i / 300)),
+                least - 1e-13);
   }
   EXPECT_GT(clamped_cases, 20);
 }

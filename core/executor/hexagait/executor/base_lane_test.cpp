@@ -5,12 +5,14 @@
 #include <hexagait/executor/base_lane.hpp>
 #include <hexagait/sim/random.hpp>
 #include <numbers>
+#include <testing/control_period.hpp>
 #include <testing/round_params.hpp>
 
 namespace hexagait {
 namespace {
 
-constexpr double kDt = 0.002;
+using testing::kDt;
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 BaseAutoCommand straight_ahead() {

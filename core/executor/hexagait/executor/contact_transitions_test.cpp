@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
-#include <hexagait/urdf/urdf.hpp>
 #include <testing/action_expectations.hpp>
 #include <testing/action_words.hpp>
+#include <testing/argos.hpp>
 #include <testing/scripted_robot.hpp>
 
 namespace hexagait {
 namespace {
 
+using testing::argos;
 using testing::base_target;
 using testing::expect_at_rest;
 using testing::expect_result;
@@ -22,11 +23,6 @@ using testing::step;
 using testing::steps;
 using testing::wait;
 using Touch = ScriptedRobot::Touch;
-
-const RobotModel& argos() {
-  static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  return model;
-}
 
 // Ground 3 cm above where the foot is to land: it stands as soon as it touches.
 TEST(Contact, ComingEarlyEndsTheMotionOfAFootThatIsToStand) {

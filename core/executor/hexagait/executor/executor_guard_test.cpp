@@ -3,8 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <hexagait/urdf/urdf.hpp>
 #include <limits>
+#include <testing/argos.hpp>
+#include <testing/control_period.hpp>
 #include <testing/counted_allocations.hpp>
 #include <testing/scripted_robot.hpp>
 #include <type_traits>
@@ -15,7 +16,9 @@
 namespace hexagait {
 namespace {
 
-constexpr double kDt = 0.002;
+using testing::argos;
+using testing::kDt;
+
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // The executor keeps a pointer to its model: a model that is gone at once does not compile.
@@ -25,11 +28,6 @@ static_assert(!std::is_constructible_v<StateEstimator, RobotModel, SensorMask>);
 static_assert(!std::is_constructible_v<ActionRunner, RobotModel>);
 static_assert(!std::is_constructible_v<ActionRunner, const RobotModel, RunnerParams>);
 static_assert(!std::is_constructible_v<Sequencer, RobotModel, SequencerParams>);
-
-const RobotModel& argos() {
-  static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  return model;
-}
 
 /// Argos in its stance.
 struct Stance {

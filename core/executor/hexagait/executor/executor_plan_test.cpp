@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <hexagait/sim/random.hpp>
-#include <hexagait/urdf/urdf.hpp>
 #include <testing/action_words.hpp>
+#include <testing/argos.hpp>
 #include <testing/scripted_robot.hpp>
 
 // How the executor follows plans, by the commands that become plans.
@@ -12,15 +12,12 @@
 namespace hexagait {
 namespace {
 
+using testing::argos;
 using testing::foot_target;
 using testing::ScriptedRobot;
 using testing::step;
 using testing::steps;
 
-const RobotModel& argos() {
-  static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  return model;
-}
 const Vector3 kUp(0.0, 0.0, 0.08);
 
 action::JointTarget joint_target(LegId leg) {

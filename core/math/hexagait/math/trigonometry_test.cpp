@@ -17,7 +17,6 @@ namespace {
 
 constexpr int kDraws = 200000;
 constexpr double kInf = std::numeric_limits<double>::infinity();
-constexpr double kPi = std::numbers::pi;
 
 // The C library's long double has 11 bits more, so it is an oracle for the last bit of a double.
 using Exact = long double;
@@ -36,14 +35,14 @@ double spread(RandomSequence& random, double decades) {
 
 TEST(PortableSincos, IsWithinOneUlpOfTheFirstOctantsAndCloseForAMillionRadians) {
   RandomSequence random{.seed = 1};
-  for (const double range : {kPi / 4.0, 1.0, 4.0, 1e3, 1e6}) {
+  for (const double range : {std::numbers::pi / 4.0, 1.0, 4.0, 1e3, 1e6}) {
     for (int k = 0; k < kDraws; ++k) {
       const double x = random.uniform(-range, range);
       const portable::SinCos value = portable::sincos(x);
       const Exact s = std::sin(Exact{x}), c = std::cos(Exact{x});
       ASSERT_LE(error(value.s, s), 1.5e-16) << x;
       ASSERT_LE(error(value.c, c), 1.5e-16) << x;
-      if (range > kPi / 4.0) continue;
+      if (range > std::numbers::pi / 4.0) continue;
       ASSERT_LE(ulps(value.s, s), 1.0) << x;
       ASSERT_LE(ulps(value.c, c), 1.0) << x;
     }
@@ -83,7 +82,7 @@ TEST(PortableSincos, LosesBeyondNoMoreThanTheArgumentHas) {
 // Around each multiple of π/4 the reduction changes its quadrant, or the result its sign.
 TEST(PortableSincos, IsRightOnBothSidesOfEachQuadrant) {
   for (int k = -5000; k <= 5000; ++k) {
-    const double middle = k * (kPi / 4.0);
+    const double middle = k * (std::numbers::pi / 4.0);
     for (const double x :
          {std::nextafter(middle, -kInf), middle, std::nextafter(middle, kInf), middle + 1e-9}) {
       const portable::SinCos value = portable::sincos(x);
@@ -149,8 +148,8 @@ TEST(PortableAsinAndAcos, AreCloseAndNaNOutside) {
     ASSERT_LE(error(portable::asin(x), std::asin(Exact{x})), 5e-16) << x;
     ASSERT_LE(error(portable::acos(x), std::acos(Exact{x})), 5e-16) << x;
   }
-  EXPECT_EQ(portable::asin(1.0), kPi / 2.0);
-  EXPECT_EQ(portable::acos(-1.0), kPi);
+  EXPECT_EQ(portable::asin(1.0), std::numbers::pi / 2.0);
+  EXPECT_EQ(portable::acos(-1.0), std::numbers::pi);
   EXPECT_TRUE(std::isnan(portable::asin(1.0 + 1e-15)));
   EXPECT_TRUE(std::isnan(portable::acos(-1.0 - 1e-15)));
 }

@@ -11,8 +11,6 @@
 namespace hexagait {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// A leg at the hip frame X_BH whose joints have any signs and zeros: its axes and points stand
 /// where the offsets turn them when all joints are zero. Canonical limits: yaw ±1.2, hip −1.8
 /// … 1.5, knee 0.1 … 2.6.
@@ -97,7 +95,9 @@ TEST(FootPosition, OfTheStraightLegIsItsLengthOutwards) {
 
 // Yaw 90°: outwards is y. Femur 30° up: 0.3·cos 30° out, 0.15 up. Knee 120°: the tibia hangs down.
 TEST(FootPosition, FollowsYawRaisedFemurAndHangingTibia) {
-  const Vector3 p = foot_position(plain_leg(), leg_joints({kPi / 2, -kPi / 6, kPi / 6 + kPi / 2}));
+  const Vector3 p =
+      foot_position(plain_leg(), leg_joints({std::numbers::pi / 2, -std::numbers::pi / 6,
+                                             std::numbers::pi / 6 + std::numbers::pi / 2}));
   EXPECT_LT(distance(p, {0.0, 0.1 + 0.15 * std::sqrt(3.0), 0.15 - 0.4}), 1e-15);
 }
 
@@ -195,7 +195,8 @@ TEST(FootEffort, IsTheForceThroughTheJacobian) {
 TEST(InverseKinematics, SolvesTheThreeFourFiveTriangle) {
   const LegSolution solution = inverse_kinematics(plain_leg(), {0.1, 0.0, -0.5});
   EXPECT_TRUE(solution.reachable);
-  EXPECT_LT(distance(solution.q.head<3>(), {0.0, std::atan2(0.3, 0.4), kPi / 2}), 1e-15);
+  EXPECT_LT(distance(solution.q.head<3>(), {0.0, std::atan2(0.3, 0.4), std::numbers::pi / 2}),
+            1e-15);
 }
 
 // Within reach, with the knee bent upwards, there is one answer. Yaw is as good as its lever |r| is
@@ -249,7 +250,7 @@ TEST(InverseKinematics, GoesOnFromTheLastSolutionForManyTicks) {
   const LegModel leg = plain_leg();
   LegSolution last = inverse_kinematics(leg, {0.45, 0.0, -0.25});
   for (int k = 0; k < 2'000'000; ++k) {
-    const double x = 0.02 * kPi * k;
+    const double x = 0.02 * std::numbers::pi * k;
     const Vector3 p_BF(0.45 + 0.05 * std::cos(x), 0.08 * std::sin(x), -0.25 + 0.05 * std::sin(x));
     last = inverse_kinematics(leg, p_BF, last.q, last.trig);
     if (k % 1000 != 0) continue;
@@ -333,11 +334,11 @@ TEST(InverseKinematics, ReachesBackThroughTheYawAxis) {
 // The same knee, one turn on, for a robot that counts its knee so.
 TEST(InverseKinematics, FindsTheTurnThatTheLimitsMean) {
   LegModel leg = plain_leg();
-  leg.limits[2].lower += 2.0 * kPi;
-  leg.limits[2].upper += 2.0 * kPi;
+  leg.limits[2].lower += 2.0 * std::numbers::pi;
+  leg.limits[2].upper += 2.0 * std::numbers::pi;
   const LegSolution solution = inverse_kinematics(leg, {0.1, 0.0, -0.5});
   EXPECT_TRUE(solution.reachable);
-  EXPECT_NEAR(solution.q[2], 2.5 * kPi, 2e-15);
+  EXPECT_NEAR(solution.q[2], 2.5 * std::numbers::pi, 2e-15);
 }
 
 // The knee is above the line from hip to foot: cross product of foot and knee, seen from the hip.

@@ -8,8 +8,6 @@
 namespace hexagait {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// Coxa 0.1, femur 0.3, tibia 0.4, hip frame = body frame, joints canonical.
 LegModel leg_with_limits(double yaw, double knee_lower, double knee_upper) {
   LegModel leg;
@@ -22,16 +20,16 @@ LegModel leg_with_limits(double yaw, double knee_lower, double knee_upper) {
 
 // 3-4-5: a square knee gives 0.5 m; 4 % of 0.7 m are kept from 0.7 and from 0.4 − 0.3.
 TEST(LegReach, GoesFromTheMostBentKneeToNearlyStraight) {
-  const Reach square = leg_reach(leg_with_limits(1.0, 0.0, kPi / 2));
+  const Reach square = leg_reach(leg_with_limits(1.0, 0.0, std::numbers::pi / 2));
   EXPECT_NEAR(square.min, 0.5, 1e-15);
   EXPECT_NEAR(square.max, 0.7 - 0.028, 1e-15);
-  const Reach folded = leg_reach(leg_with_limits(1.0, kPi / 2, kPi));
+  const Reach folded = leg_reach(leg_with_limits(1.0, std::numbers::pi / 2, std::numbers::pi));
   EXPECT_NEAR(folded.min, 0.1 + 0.028, 1e-15);
   EXPECT_NEAR(folded.max, 0.5, 1e-15);
 }
 
 TEST(LegReach, KeepsFromFoldedAlsoIfTheFemurIsTheLongerOne) {
-  LegModel leg = leg_with_limits(1.0, 0.0, kPi);
+  LegModel leg = leg_with_limits(1.0, 0.0, std::numbers::pi);
   std::swap(leg.femur, leg.tibia);
   EXPECT_NEAR(leg_reach(leg).min, 0.1 + 0.028, 1e-15);
 }
@@ -41,10 +39,11 @@ TEST(LegReach, KeepsFromFoldedAlsoIfTheFemurIsTheLongerOne) {
 TEST(LegReach, HeedsSignZeroAndTurnsOfTheKnee) {
   LegModel leg = leg_with_limits(1.0, -1.0, 0.0);
   leg.joint_sign[2] = -1.0;
-  leg.joint_offset[2] = kPi / 2;
+  leg.joint_offset[2] = std::numbers::pi / 2;
   EXPECT_NEAR(leg_reach(leg).max, 0.5, 1e-15);
-  EXPECT_NEAR(leg_reach(leg).min, std::sqrt(0.25 + 0.24 * std::cos(kPi / 2 + 1.0)), 1e-15);
-  leg.joint_offset[2] -= 2.0 * kPi;
+  EXPECT_NEAR(leg_reach(leg).min, std::sqrt(0.25 + 0.24 * std::cos(std::numbers::pi / 2 + 1.0)),
+              1e-15);
+  leg.joint_offset[2] -= 2.0 * std::numbers::pi;
   EXPECT_NEAR(leg_reach(leg).max, 0.5, 1e-15);
 }
 
@@ -62,7 +61,7 @@ TEST(LegReach, IsEmptyIfTheKneeBendsDownwardsOnly) {
 // Turned by 90° and shifted: 0.1 + 0.3 out, 0.7/2.2 down.
 TEST(NominalFoot, IsACoxaAndAFemurOut) {
   LegModel leg = leg_with_limits(1.0, 0.0, 2.6);
-  leg.X_BH = {rotation_z(kPi / 2), {1.0, 2.0, 3.0}};
+  leg.X_BH = {rotation_z(std::numbers::pi / 2), {1.0, 2.0, 3.0}};
   EXPECT_LT((nominal_foot(leg) - Vector3(1.0, 2.4, 3.0 - 0.7 / 2.2)).norm(), 1e-15);
 }
 
@@ -80,7 +79,7 @@ TEST(ReachableRadius, IsLimitedByYaw) {
 // the height 0.7/2.2, so √(0.25 − 0.7²/2.2²) out of it, 0.3 of which is the nominal stance. The
 // reach has 1e-9 m of slack, which are 1e-9 · 0.5/0.386 along the horizontal.
 TEST(ReachableRadius, IsLimitedByReach) {
-  LegModel leg = leg_with_limits(1.0, kPi / 2, 2.6);
+  LegModel leg = leg_with_limits(1.0, std::numbers::pi / 2, 2.6);
   leg.X_BH = {rotation_z(0.026), {1.0, 2.0, 3.0}};
   leg.p_BC = nominal_foot(leg);
   const double height = 0.7 / 2.2;

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/plant/odometry.hpp>
+#include <testing/control_period.hpp>
 #include <testing/round_params.hpp>
 
 namespace hexagait {
 namespace {
 
-constexpr double kDt = 0.002;
+using testing::kDt;
+
 const double kTau = testing::round_params().tolerance.level_time;
 
 // Six point feet that stand on a ground that slopes, which odometry takes for level; the body is turned

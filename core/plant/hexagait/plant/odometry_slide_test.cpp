@@ -5,12 +5,13 @@
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/plant/odometry.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <testing/control_period.hpp>
 #include <testing/round_params.hpp>
 
 namespace hexagait {
 namespace {
 
-constexpr double kDt = 0.002;
+using testing::kDt;
 
 // Six point feet; joints play no part.
 struct SixFeet {

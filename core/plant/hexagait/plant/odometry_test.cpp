@@ -6,12 +6,14 @@
 #include <hexagait/plant/odometry.hpp>
 #include <hexagait/sim/random.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <testing/control_period.hpp>
 #include <testing/round_params.hpp>
 
 namespace hexagait {
 namespace {
 
-constexpr double kDt = 0.002;
+using testing::kDt;
+
 constexpr double kHeight = 0.3;  // of the body over the feet [m]
 
 /// Six feet 0.3 m below the body, where a hexapod has them.

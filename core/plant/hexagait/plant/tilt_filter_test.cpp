@@ -26,8 +26,8 @@ struct Body {
 
 double angle(const Vector3& a, const Vector3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
-class AnyPeriod : public testing::TestWithParam<double> {};
-INSTANTIATE_TEST_SUITE_P(Tilt, AnyPeriod, testing::Values(0.001, 0.002, 0.005, 0.01, 0.02));
+class AnyPeriod : public ::testing::TestWithParam<double> {};
+INSTANTIATE_TEST_SUITE_P(Tilt, AnyPeriod, ::testing::Values(0.001, 0.002, 0.005, 0.01, 0.02));
 
 TEST_P(AnyPeriod, StartsWhereTheAccelerationPoints) {
   TiltFilter filter(kTime);

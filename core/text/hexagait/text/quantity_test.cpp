@@ -16,8 +16,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-constexpr double kPi = std::numbers::pi;
-
 TEST(Quantity, IsInSiUnitsWithoutAUnitAndIsConvertedWithOne) {
   const struct {
     const char* text;
@@ -36,13 +34,13 @@ TEST(Quantity, IsInSiUnitsWithoutAUnitAndIsConvertedWithOne) {
                {"2min", Dimension::time, 120.0},
                {"0.5", Dimension::angle, 0.5},
                {"-0.5rad", Dimension::angle, -0.5},
-               {"90deg", Dimension::angle, kPi / 2.0},
-               {"deg(90)", Dimension::angle, kPi / 2.0},
+               {"90deg", Dimension::angle, std::numbers::pi / 2.0},
+               {"deg(90)", Dimension::angle, std::numbers::pi / 2.0},
                {"rad(0.5)", Dimension::angle, 0.5},
-               {"720deg", Dimension::angle, 4.0 * kPi},
-               {"-6.283185307179586", Dimension::angle, -2.0 * kPi},
+               {"720deg", Dimension::angle, 4.0 * std::numbers::pi},
+               {"-6.283185307179586", Dimension::angle, -2.0 * std::numbers::pi},
                {"8", Dimension::angular_rate, 8.0},
-               {"180deg", Dimension::angular_rate, kPi}};
+               {"180deg", Dimension::angular_rate, std::numbers::pi}};
   for (const auto& [text, dimension, value] : cases) {
     const Quantity read = parse_quantity(text, dimension);
     EXPECT_THAT(read.problem, IsEmpty()) << text;

@@ -12,8 +12,6 @@ using ::testing::HasSubstr;
 using testing::RobotText;
 using testing::told;
 
-constexpr double kPi = std::numbers::pi;
-
 // ---- as they should be: nothing is substituted
 
 TEST(AwkwardRobots, AreNotSoIfNothingIsWrongWithThemWhateverTheirNames) {
@@ -32,20 +30,20 @@ TEST(AwkwardRobots, MayWeighFrom200GramsTo100KilogramsAndHaveFourToTwelveLegs) {
 
 // Six hips at 60°. The plane of symmetry must hold none of them; all three are as long.
 TEST(AwkwardRobots, MayBeRound) {
-  const RobotModel beside =
-      expect_recognised({.hips = RobotText::ring(6, kPi / 6.0), .base = RobotText::kBox});
-  EXPECT_NEAR(beside.legs[0].X_BH.p.x(), 0.08 * std::cos(kPi / 6.0), 1e-9);
+  const RobotModel beside = expect_recognised(
+      {.hips = RobotText::ring(6, std::numbers::pi / 6.0), .base = RobotText::kBox});
+  EXPECT_NEAR(beside.legs[0].X_BH.p.x(), 0.08 * std::cos(std::numbers::pi / 6.0), 1e-9);
   EXPECT_NEAR(beside.legs[2].X_BH.p.y(), 0.08, 1e-9);
   const RobotModel on =
       expect_recognised({.hips = RobotText::ring(6, 0.0)}, {"0 robot front: 0°; 30°"});
-  EXPECT_NEAR(on.legs[0].X_BH.p.x(), 0.08 * std::cos(kPi / 6.0), 1e-9);
-  (void)expect_recognised({.hips = RobotText::ring(8, kPi / 8.0)});
+  EXPECT_NEAR(on.legs[0].X_BH.p.x(), 0.08 * std::cos(std::numbers::pi / 6.0), 1e-9);
+  (void)expect_recognised({.hips = RobotText::ring(8, std::numbers::pi / 8.0)});
 }
 
 // Turned by 90°, the rows are along the file's y; the front is nearest to +x where it can be chosen.
 TEST(AwkwardRobots, MayFaceAnyWay) {
   const RobotModel plain = expect_recognised({});
-  for (const double turn : {0.5 * kPi, 1.0, -1.0}) {
+  for (const double turn : {0.5 * std::numbers::pi, 1.0, -1.0}) {
     const RobotModel robot =
         expect_recognised({.root = RobotText::placed({0, 0, 0}, {0, 0, turn})},
                           {"0 robot front: 0°; " + std::string(turn == 1.0    ? "57.3°"
@@ -59,7 +57,8 @@ TEST(AwkwardRobots, MayFaceAnyWay) {
 
 TEST(AwkwardRobots, FaceWhereTheyAreTold) {
   const RobotModel plain = expect_recognised({});
-  const RobotModel back = expect_recognised({}, {"2 robot front: 0°; 180°"}, {.front = kPi});
+  const RobotModel back =
+      expect_recognised({}, {"2 robot front: 0°; 180°"}, {.front = std::numbers::pi});
   EXPECT_LT((back.legs[0].p_BC - plain.legs[0].p_BC).norm(), 1e-9);
   EXPECT_EQ(back.legs[0].joint_names[0], plain.legs[5].joint_names[0]);
 }
@@ -82,8 +81,9 @@ TEST(AwkwardRobots, MayHangFromMasslessRoots) {
 
 // As CAD writes it, y upwards: everything hangs from a root that is rolled by −90°.
 TEST(AwkwardRobots, MayHaveAnotherAxisUp) {
-  const RobotModel robot = expect_recognised(
-      {.root = RobotText::placed({0, 0, 0}, {-0.5 * kPi, 0, 0})}, {"robot up: +z; +y of the file"});
+  const RobotModel robot =
+      expect_recognised({.root = RobotText::placed({0, 0, 0}, {-0.5 * std::numbers::pi, 0, 0})},
+                        {"robot up: +z; +y of the file"});
   EXPECT_LT((robot.legs[0].p_BC - expect_recognised({}).legs[0].p_BC).norm(), 1e-9);
 }
 
@@ -230,7 +230,8 @@ TEST(AwkwardRobots, MayLackAMass) {
   for (const std::string text : {"", "<inertial><mass value='0'/></inertial>"}) {
     const RobotModel robot =
         expect_recognised(with_inertial("l2b", text), {"1 link l2b mass: none; 0.0107757 kg"});
-    EXPECT_NEAR(robot.legs[2].links[1].mass, kPi * 0.007 * 0.007 * 0.07 * 1000.0, 1e-9);
+    EXPECT_NEAR(robot.legs[2].links[1].mass, std::numbers::pi * 0.007 * 0.007 * 0.07 * 1000.0,
+                1e-9);
     EXPECT_LT((robot.legs[2].links[1].p_LM - Vector3(0.035, 0.0, 0.0)).norm(), 1e-12);
   }
   (void)expect_recognised(with_inertial("b", ""), {"1 link b mass: none; 0.704 kg"});
@@ -324,7 +325,7 @@ TEST(AwkwardRobots, MayBeAwkwardInManyWays) {
   RobotText robot{.size = 0.8,
                   .mass = 1.5,
                   .hips = RobotText::rows(4),
-                  .root = RobotText::placed({0.2, 0.1, 0.3}, {0, 0, 0.5 * kPi}),
+                  .root = RobotText::placed({0.2, 0.1, 0.3}, {0, 0, 0.5 * std::numbers::pi}),
                   .base = "",
                   .tibia_has = "",
                   .foot =

@@ -12,7 +12,7 @@
 namespace hexagait::experiments {
 namespace {
 
-RobotModel argos() { return load_urdf(std::string(HEXAGAIT_SOURCE_DIR) + "/robots/argos.urdf"); }
+RobotModel argos() { return load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf"); }
 
 TEST(RoughSweep, GoesToFourFifthsOfTheReachOfALeg) {
   const RobotModel robot = argos();

@@ -14,8 +14,6 @@ namespace {
 using heading_control::Heading;
 using heading_control::Turn;
 
-constexpr double kPi = std::numbers::pi;
-
 const Stance& stance_of(int n) {
   static const auto all = [] {
     std::vector<Stance> robots(kMaxLegs + 1);
@@ -42,7 +40,7 @@ TEST(RearEdge, JoinsTheTwoLegsFarthestAgainstTheMotion) {
   for (const int n : {4, 6, 8, 10, 12}) {
     EXPECT_EQ(edge_for(Heading::straight(0.0), n, 0), gait_state::hindmost_edge(n));
     EXPECT_EQ(pair_at(edge_for(Heading::straight(0.0), n, 0), n).bits(), 0b11U << (n - 2));
-    EXPECT_EQ(pair_at(edge_for(Heading::straight(kPi), n, 2), n).bits(), 0b11U);
+    EXPECT_EQ(pair_at(edge_for(Heading::straight(std::numbers::pi), n, 2), n).bits(), 0b11U);
   }
 }
 
@@ -51,8 +49,12 @@ TEST(RearEdge, JoinsTheTwoLegsFarthestAgainstTheMotion) {
 TEST(RearEdge, LiesOnTheSideFromWhichTheRobotCrabs) {
   for (const int n : {4, 6, 8, 10, 12}) {
     const std::uint32_t right = 0xAAAU, left = 0x555U;
-    EXPECT_EQ(pair_at(edge_for(Heading::straight(0.5 * kPi), n, n / 2), n).bits() & left, 0U);
-    EXPECT_EQ(pair_at(edge_for(Heading::straight(-0.5 * kPi), n, n / 2), n).bits() & right, 0U);
+    EXPECT_EQ(
+        pair_at(edge_for(Heading::straight(0.5 * std::numbers::pi), n, n / 2), n).bits() & left,
+        0U);
+    EXPECT_EQ(
+        pair_at(edge_for(Heading::straight(-0.5 * std::numbers::pi), n, n / 2), n).bits() & right,
+        0U);
   }
 }
 
@@ -73,7 +75,7 @@ TEST(RearEdge, HandsOverLateSoThatNoDirectionMakesItFlicker) {
     const int start = edge;
     std::vector<int> there, back;
     for (int degree = 0; degree <= 720; ++degree) {
-      const double alpha = kPi / 180.0 * (degree <= 360 ? degree : 720 - degree);
+      const double alpha = std::numbers::pi / 180.0 * (degree <= 360 ? degree : 720 - degree);
       const int now = edge_for(Heading::straight(alpha), n, edge);
       if (now != edge)
         (degree <= 360 ? there : back).push_back(degree <= 360 ? degree : 720 - degree);

@@ -12,8 +12,8 @@
 namespace hexagait::viewer {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 constexpr int kLegs = 4;
 constexpr const char* kScene =

@@ -10,8 +10,8 @@
 namespace hexagait::viewer {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(ReplayPage, HasTheReplayInItAndAsksNobody) {
   if (page_files().empty()) GTEST_SKIP() << kNoPage;

@@ -16,9 +16,9 @@
 namespace hexagait::viewer {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
-using testing::StartsWith;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
 
 // A client by hand: what a browser would not send can be sent.
 class Socket {
@@ -118,7 +118,7 @@ SessionOptions options() {
   return result;
 }
 
-class Served : public testing::Test {
+class Served : public ::testing::Test {
  protected:
   explicit Served(Access access = {}) : session_(options()), server_(std::move(access), session_) {
     thread_ = std::thread([this] { server_.run(stop_); });

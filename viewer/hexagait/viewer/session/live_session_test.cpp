@@ -20,8 +20,8 @@ namespace hexagait::viewer {
 namespace {
 
 using std::chrono::milliseconds;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 constexpr double kPeriod = 0.002;
 constexpr const char* kStop = R"({"type":"estop"})";
@@ -73,7 +73,7 @@ class Robot {
   PipeRobot pipe_;
 };
 
-class LiveSession : public testing::Test {
+class LiveSession : public ::testing::Test {
  protected:
   LiveSession()
       : model_(load_urdf(HEXAGAIT_ROBOTS "/argos.urdf")),

@@ -10,7 +10,7 @@
 namespace hexagait::viewer {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 template <class Kind>
 Kind parsed(std::string_view text) {

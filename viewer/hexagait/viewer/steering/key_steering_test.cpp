@@ -110,7 +110,7 @@ TEST(KeySteering, HasTheWheelOfThePage) {
   const std::string script{std::istreambuf_iterator<char>(file), {}};
   for (const char* line :
        {"kMostCurvature = 2;", "kStop = 150;", "- 12 * way", "/ 15) * 15 + 15 * way"})
-    EXPECT_THAT(script, testing::HasSubstr(line));
+    EXPECT_THAT(script, ::testing::HasSubstr(line));
 }
 
 }  // namespace

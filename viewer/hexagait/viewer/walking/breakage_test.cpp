@@ -11,7 +11,7 @@
 namespace hexagait::viewer {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 using walk::parse_part_fault;
 using walk::PartFault;
 

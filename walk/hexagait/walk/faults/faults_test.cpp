@@ -9,15 +9,16 @@
 #include <hexagait/walk/trial.hpp>
 #include <limits>
 #include <testing/argos.hpp>
+#include <testing/control_period.hpp>
 
 // Each fault, measured on a plant whose truth is known.
 namespace hexagait::walk {
 namespace {
 
-constexpr double kDt = 0.002;
 const LegArray<LegJoints> kZero(6, LegJoints::Zero());
 
 using testing::argos;
+using testing::kDt;
 
 // Its joints turn at 1 rad/s, and its feet touch as told; it keeps all that is written to it.
 class KnownPlant final : public Plant {

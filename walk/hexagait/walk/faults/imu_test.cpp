@@ -7,6 +7,7 @@
 #include <hexagait/walk/faults/faults.hpp>
 #include <hexagait/walk/trial.hpp>
 #include <testing/argos.hpp>
+#include <testing/control_period.hpp>
 
 // The inertial measurement unit: what the simulated one feels, how it errs, and what a walk gains by it.
 namespace hexagait::walk {
@@ -14,10 +15,10 @@ namespace {
 
 using heading_control::Heading;
 
-constexpr double kDt = 0.002;
 const double kGravity = sim3d::WorldParams{}.gravity;
 
 using testing::argos;
+using testing::kDt;
 
 sim3d::World world(bool imu, const sim3d::TerrainSpec& terrain = {}) {
   sim3d::WorldParams params;

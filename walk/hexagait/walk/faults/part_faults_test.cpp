@@ -9,6 +9,7 @@
 #include <hexagait/walk/faults/part_faults.hpp>
 #include <hexagait/walk/trial.hpp>
 #include <testing/argos.hpp>
+#include <testing/control_period.hpp>
 
 // Each fault of a part, on a plant whose truth is known.
 namespace hexagait::walk {
@@ -16,8 +17,9 @@ namespace {
 
 using testing::argos;
 using ::testing::HasSubstr;
+using testing::kDt;
 
-constexpr double kDt = 0.002, kLead = 0.2;
+constexpr double kLead = 0.2;
 constexpr LegId kLF = 0, kRM = 3;
 
 // Its joints are at 1 rad and its feet touch in every other period.

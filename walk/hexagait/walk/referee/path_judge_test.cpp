@@ -12,10 +12,8 @@ using path_following::Path;
 using path_following::PathTask;
 using path_following::Shape;
 
-constexpr double kPi = std::numbers::pi;
-
 // 2 m ahead, 1 m to the left, seen from where a robot stands at (5, 1) and looks along y.
-const PlanarPose kStart = {0.5 * kPi, {5.0, 1.0}};
+const PlanarPose kStart = {0.5 * std::numbers::pi, {5.0, 1.0}};
 PathTask corner() {
   return {Path({{{0.0, 0.0}}, {{2.0, 0.0}}, {{2.0, 1.0}}}, Shape::lines, false), {}, 1, 0.2};
 }

@@ -9,6 +9,8 @@
 namespace hexagait::walk {
 namespace {
 
+using testing::kDt;
+
 // 26 ticks are 52 ms: a foot that is off the ground for so long does not stand any more.
 constexpr int kFlight = 26;
 

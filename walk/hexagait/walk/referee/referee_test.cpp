@@ -8,6 +8,8 @@
 namespace hexagait::walk {
 namespace {
 
+using testing::kDt;
+
 using heading_control::Heading;
 using heading_control::Turn;
 

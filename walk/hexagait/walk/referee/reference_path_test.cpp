@@ -11,7 +11,6 @@ namespace {
 using heading_control::Heading;
 using heading_control::Turn;
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kTiny = 1e-12;
 
 Vector2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
@@ -37,7 +36,7 @@ TEST(ReferencePath, MeasuresAlongAndAcrossALine) {
 TEST(ReferencePath, MeasuresAlongAndAcrossAnArcToTheLeft) {
   ReferencePath path({});
   path.follow(Heading::arc(2.0, 0.0));
-  const Vector2 centre(0.0, 2.0), arm = unit(0.5 - kPi / 2.0);
+  const Vector2 centre(0.0, 2.0), arm = unit(0.5 - std::numbers::pi / 2.0);
   const auto outside = path.deviation({0.53, centre + 2.1 * arm});
   EXPECT_NEAR(outside.progress, 1.0, kTiny);
   EXPECT_NEAR(outside.lateral, -0.1, kTiny);
@@ -50,7 +49,8 @@ TEST(ReferencePath, MeasuresAlongAndAcrossAnArcToTheLeft) {
 TEST(ReferencePath, MeasuresAlongAndAcrossAnArcToTheRight) {
   ReferencePath path({});
   path.follow(Heading::arc(-2.0, 0.0));
-  const auto outside = path.deviation({-0.53, Vector2(0.0, -2.0) + 2.1 * unit(kPi / 2.0 - 0.5)});
+  const auto outside =
+      path.deviation({-0.53, Vector2(0.0, -2.0) + 2.1 * unit(std::numbers::pi / 2.0 - 0.5)});
   EXPECT_NEAR(outside.progress, 1.0, kTiny);
   EXPECT_NEAR(outside.lateral, 0.1, kTiny);
   EXPECT_NEAR(outside.heading, -0.03, kTiny);
@@ -62,10 +62,11 @@ TEST(ReferencePath, CountsLapsOfACircle) {
   path.follow(Heading::arc(1.0, 0.0));
   ReferencePath::Deviation deviation;
   for (int k = 1; k <= 30; ++k) {
-    const double angle = k * 0.1 * kPi;
-    deviation = path.deviation({wrap_angle(angle), Vector2(0.0, 1.0) + unit(angle - kPi / 2.0)});
+    const double angle = k * 0.1 * std::numbers::pi;
+    deviation = path.deviation(
+        {wrap_angle(angle), Vector2(0.0, 1.0) + unit(angle - std::numbers::pi / 2.0)});
   }
-  EXPECT_NEAR(deviation.progress, 3.0 * kPi, 1e-9);
+  EXPECT_NEAR(deviation.progress, 3.0 * std::numbers::pi, 1e-9);
   EXPECT_NEAR(deviation.heading, 0.0, 1e-9);
 }
 
@@ -96,7 +97,7 @@ TEST(ReferencePath, ChainsLinesAtTheirIdealEnds) {
   ReferencePath path({});
   path.follow(Heading::straight(0.0));
   (void)path.deviation({0.01, {1.0, 0.02}});
-  path.follow(Heading::straight(kPi / 2.0));
+  path.follow(Heading::straight(std::numbers::pi / 2.0));
   const auto deviation = path.deviation({0.01, {1.0, 0.52}});
   EXPECT_NEAR(deviation.progress, 0.52, kTiny);
   EXPECT_NEAR(deviation.lateral, 0.0, kTiny);
@@ -124,7 +125,7 @@ TEST(ReferencePath, AgreesWithTheExponentialMap) {
     const PlanarPose start{random.uniform(-3.0, 3.0),
                            {random.uniform(-9.0, 9.0), random.uniform(-9.0, 9.0)}};
     const double curvature = trial % 10 == 0 ? 0.0 : random.uniform(-3.0, 3.0);
-    const double alpha = random.uniform(-kPi, kPi);
+    const double alpha = random.uniform(-std::numbers::pi, std::numbers::pi);
     ReferencePath path(start);
     path.follow(Heading::arc(1.0 / curvature, alpha));
 

@@ -13,8 +13,6 @@
 namespace hexagait {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 double distance(const Vector3& a, const Vector3& b) { return (a - b).norm(); }
 
 /// How a robot's maker may choose to count its joints: k = sign · q + zero.
@@ -55,8 +53,9 @@ std::string leg_text(const std::string& leg, double x, double y, const Conventio
                        fmt::format(fmt::runtime(axis), sign), std::min(a, b), std::max(a, b));
   };
   const double hip = convention.hip_zero, knee = convention.knee_zero;
-  const std::string outwards = fmt::format("0 0 {}", y > 0.0 ? kPi / 2 : -kPi / 2);
-  const std::string hip_rpy = fmt::format("{} {} 0", rolled ? -kPi / 2 : 0.0, hip);
+  const std::string outwards =
+      fmt::format("0 0 {}", y > 0.0 ? std::numbers::pi / 2 : -std::numbers::pi / 2);
+  const std::string hip_rpy = fmt::format("{} {} 0", rolled ? -std::numbers::pi / 2 : 0.0, hip);
   const std::string knee_rpy = fmt::format(fmt::runtime(pitch_axis), knee);
   return joint(0, "body", "c", fmt::format("{} {} 0.05", x, y), outwards, "0 0 {}", 0.0, -1.0,
                1.0) +
@@ -108,7 +107,7 @@ TEST(ParseUrdf, RecognisesTheLegForAnySignsAndZeros) {
     EXPECT_NEAR(leg.femur, 0.2, 1e-15);
     EXPECT_NEAR(leg.tibia, 0.3, 1e-15);
     EXPECT_LT(distance(leg.X_BH.p, {0.2, -0.1, 0.0}), 1e-15);
-    EXPECT_LT((leg.X_BH.R - rotation_z(-kPi / 2)).norm(), 1e-15);
+    EXPECT_LT((leg.X_BH.R - rotation_z(-std::numbers::pi / 2)).norm(), 1e-15);
     EXPECT_EQ(leg.joint_sign, convention.sign);
     const Vector3 zeros(0.0, convention.hip_zero, convention.knee_zero);
     EXPECT_LT(distance(leg.joint_offset, zeros), 2e-15);

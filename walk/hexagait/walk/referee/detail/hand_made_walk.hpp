@@ -3,11 +3,10 @@
 #pragma once
 
 #include <hexagait/walk/referee/referee.hpp>
+#include <testing/control_period.hpp>
 #include <testing/round_params.hpp>
 
 namespace hexagait::walk {
-
-inline constexpr double kDt = 0.002;  // [s]
 
 /// A walk made by hand: six legs in support, feet on a rectangle, the body at rest above it. The
 /// tests change what they are about and tick.
@@ -20,7 +19,7 @@ struct HandMadeWalk {
   explicit HandMadeWalk(const PlanarPose& start = {})
       : model(six_legs()),
         truth(standing(start)),
-        referee(model, truth, kDt, testing::round_params().referee) {
+        referee(model, truth, testing::kDt, testing::round_params().referee) {
     record.heading = heading_control::Heading::straight(0.0);
     record.legs = LegArray<LegLane>(6);
     record.measurement.q = LegArray<LegJoints>(6, LegJoints::Zero());
@@ -48,7 +47,7 @@ struct HandMadeWalk {
 
   void tick(int times = 1) {
     for (int k = 0; k < times; ++k) {
-      truth.time += kDt;
+      truth.time += testing::kDt;
       referee.observe(record, truth);
       record.lifts = LegSet();
       for (LegLane& lane : record.legs) lane.touched_down = false;
