@@ -162,10 +162,10 @@ check_sources_alone() {
   while read -r command; do
     file=${command##* }
     command=${command/ -o * -c / -fsyntax-only -c }
-    [[ -z ${includes_eigen[$file]:-} ]] || command+=" -include-pch $dir/eigen.pch"
+    [[ -z ${includes_eigen[$file]:-} ]] || command+=" -fPIC -include-pch $dir/eigen.pch"
     printf '%s\n' "$command"
   done < <(sed -n 's#/build/alone/#/build/release/#g; s/^ *"command": "\(.*\)",$/\1/p' "$dir/compile_commands.json" |
-             sed 's/\\"/"/g') >"$dir/commands"
+             sed 's/\\\(.\)/\1/g') >"$dir/commands"
   xargs -d '\n' -P "$(nproc)" -I{} sh -c {} <"$dir/commands"
   wc -l <"$dir/commands" | awk '{printf "%d sources", $1}' >"$note"
 }

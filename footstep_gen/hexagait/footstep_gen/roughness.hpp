@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <hexagait/gait_state/stepper.hpp>
 #include <hexagait/math/geometry.hpp>
 #include <hexagait/math/leg.hpp>
 #include <hexagait/params/robot_params.hpp>
@@ -61,6 +62,18 @@ inline constexpr double kSlowFrom = 2.5;  ///< spread without haste, of the step
   step.touchdown = 1.0 + (step.touchdown - 1.0) * guess;
   step.stroke *= 1.0 + kLonger * guess;
   return step;
+}
+
+/// The gait for ground as rough as the feet have found it: from a spread of 2.3 step heights on a free gait
+/// becomes the wave gait of duty factor 1/2, in which the rear legs wait for each other, (step 8).
+/// \param spread  of late, as remembered_spread() [m]
+[[nodiscard]] inline gait_state::StepperParams gait_on_ground(const gait_state::StepperParams& gait,
+                                                              double spread,
+                                                              const StepParams& step) noexcept {
+  constexpr double kWaveFrom = 2.3;
+  const bool rough = step.height > 0.0 && spread >= kWaveFrom * step.height;
+  if (gait.stepping != gait_state::Stepping::free || !rough) return gait;
+  return {.stepping = gait_state::Stepping::wave, .duty_factor = 0.5};
 }
 
 }  // namespace hexagait::footstep_gen

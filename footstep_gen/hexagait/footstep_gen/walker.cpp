@@ -255,9 +255,9 @@ void Walker::find_deadlock() noexcept {
   // A step all tries of which fail, and half of another one; a wave gait may take longer from step to step.
   double patience = kPatience * (nominal_step_time(swing, params_.step) +
                                  swing.max_retreats * (swing.retreat_time + swing.transfer_time));
-  if (params_.stepper.stepping == gait_state::Stepping::wave)
-    patience =
-        std::max(patience, memory_.stepper.longest_step() / (1.0 - params_.stepper.duty_factor));
+  const gait_state::StepperParams gait = gait_here();
+  if (gait.stepping == gait_state::Stepping::wave)
+    patience = std::max(patience, memory_.stepper.longest_step() / (1.0 - gait.duty_factor));
   const int n = model_->num_legs();
   DeadlockInput in{.time = time(),
                    .walks = record_.heading.moving() && speed_limit_ > 0.0,
@@ -293,7 +293,7 @@ void Walker::decide() noexcept {
       .crawls = crawls(),
       .open = record_.gate.open};
   const gait_state::StepDecision decision =
-      gait_state::decide(memory_, record_.gait_input, conditions, params_.gait, params_.stepper);
+      gait_state::decide(memory_, record_.gait_input, conditions, params_.gait, gait_here());
   record_.gait = decision.gait;
   record_.lifts = decision.lifts;
   record_.waits = decision.waits;
@@ -399,11 +399,17 @@ void Walker::command() noexcept {
   executor_.command(record_.base_auto);
 }
 
+// The gait for the ground that the feet have found. (step 8)
+gait_state::StepperParams Walker::gait_here() const noexcept {
+  const bool free_only = crawls() || !lost_legs().empty() || model_->legs[0].has_two_joints();
+  return free_only ? params_.stepper : gait_on_ground(params_.stepper, spread_, params_.step);
+}
+
 // The steps for the ground that the feet have found.
 StepParams Walker::steps_here() const noexcept {
   StepParams step = params_.step;
   // The period of a wave is that of its longest step: shorter ones would only wait.
-  const bool wave = params_.stepper.stepping == gait_state::Stepping::wave;
+  const bool wave = gait_here().stepping == gait_state::Stepping::wave;
   const bool slides = model_->legs[0].has_two_joints();
   if (wave || crawls() || slides)
     step.haste = step.touchdown = 1.0;
@@ -420,7 +426,7 @@ StepParams Walker::steps_here() const noexcept {
 // The legs of a wave land one after the other. The fraction of the advance still to come that the
 // base will have made when this leg lands: its remaining time over that of the leg that lands last.
 double Walker::share_to_come(LegId leg) const noexcept {
-  if (params_.stepper.stepping != gait_state::Stepping::wave || !lost_legs().empty()) return 1.0;
+  if (gait_here().stepping != gait_state::Stepping::wave || !lost_legs().empty()) return 1.0;
   const gait_state::Stepper& stepper = memory_.stepper;
   const double last_lift = *std::ranges::max_element(stepper.lifted_at);
   const double last_left = last_lift + stepper.longest_step() - time();

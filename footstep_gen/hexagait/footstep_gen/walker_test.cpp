@@ -430,6 +430,29 @@ TEST(Walker, TakesLowerStepsOnLevelGround) {
     EXPECT_GE(taken.profile_height, step.height) << "of leg " << taken.leg;
 }
 
+// (step 8) Up a slope of 25° the prints of its feet differ in height by 0.37 m, more than 2.3 steps are high: rear
+// legs wait for each other, and feet touch down as slowly as on level ground.
+TEST(Walker, WalksAWaveWhereItsPrintsDifferMuch) {
+  Walk walk(argos(), 0.0);
+  walk.plant.ground = [](const Vector2& p_O) { return std::max(0.0, 0.47 * (p_O.x() - 1.5)); };
+  double touchdown = 0.0;
+  const auto rear_legs_wait = [&](double to) {
+    int ticks = 0;
+    for (int k = 0; k < 30000 && walk.place().x() < to; ++k) {
+      const TickRecord& record = walk.tick(Heading::straight(0.0));
+      if (record.waits.contains(4) || record.waits.contains(5)) ++ticks;
+      if (walk.place().x() > 2.6 && !record.lifts.empty())
+        for (LegId leg = 0; leg < 6; ++leg)
+          touchdown = std::max(touchdown, record.footsteps[leg].touchdown);
+    }
+    return ticks * kDt;
+  };
+  EXPECT_EQ(rear_legs_wait(1.0), 0.0) << "a free gait";
+  (void)rear_legs_wait(2.6);
+  EXPECT_GT(rear_legs_wait(3.2), 0.01) << "s of waiting";
+  EXPECT_EQ(touchdown, 1.0);
+}
+
 // (step 3) Once it knows that the drives do not lag. A wave's body follows its swings: it does without.
 TEST(Walker, SwingsInHasteOnLevelGround) {
   const auto hastes = [](const WalkerParams& params) {
