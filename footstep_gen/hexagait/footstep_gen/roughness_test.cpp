@@ -74,7 +74,7 @@ TEST(OnGuessedGround, TouchesDownFasterAndStepsFarther) {
 }
 
 // Steps of 0.1 m: a wave from a spread of 0.23 m on. Who asks for another gait gets it.
-TEST(GaitOnGround, IsAWaveWherePrintsDifferByTwiceTheStepHeightAndMore) {
+TEST(GaitOnGround, IsAWaveWherePrintsDifferMuch) {
   using gait_state::Stepping;
   for (const double spread : {0.0, 0.1, 0.229})
     EXPECT_EQ(gait_on_ground({}, spread, kStep).stepping, Stepping::free) << spread;

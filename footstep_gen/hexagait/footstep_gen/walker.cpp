@@ -401,8 +401,8 @@ void Walker::command() noexcept {
 
 // The gait for the ground that the feet have found. (step 8)
 gait_state::StepperParams Walker::gait_here() const noexcept {
-  const bool free_only = crawls() || !lost_legs().empty() || model_->legs[0].has_two_joints();
-  return free_only ? params_.stepper : gait_on_ground(params_.stepper, spread_, params_.step);
+  const bool as_asked = crawls() || !lost_legs().empty() || model_->legs[0].has_two_joints();
+  return as_asked ? params_.stepper : gait_on_ground(params_.stepper, spread_, params_.step);
 }
 
 // The steps for the ground that the feet have found.
