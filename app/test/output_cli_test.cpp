@@ -147,8 +147,11 @@ TEST_F(Cli, RefusesOverridesOfARobotThatAreNone) {
 
 // No path of the source tree is in the command: it finds its robots beside itself, or where
 // HEXAGAIT_DATA says, and names the folder if there are none.
+TEST_F(Cli, DoesNotKnowTheSourceTree) {
+  EXPECT_EQ(content(HEXAGAIT_COMMAND).find(HEXAGAIT_SOURCE_DIR), std::string::npos);
+}
+
 TEST_F(Cli, FindsItsRobotsBesideItselfOrWhereItIsTold) {
-  EXPECT_THAT(content(HEXAGAIT_COMMAND), testing::Not(HasSubstr(HEXAGAIT_SOURCE_DIR)));
   const fs::path source = HEXAGAIT_SOURCE_DIR, prefix = here() / "prefix";
   fs::create_directories(prefix / "bin");
   fs::copy_file(HEXAGAIT_COMMAND, prefix / "bin/hexagait");
