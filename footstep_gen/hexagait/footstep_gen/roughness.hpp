@@ -64,16 +64,15 @@ inline constexpr double kSlowFrom = 2.5;  ///< spread without haste, of the step
   return step;
 }
 
-/// The gait for ground as rough as the feet have found it: from a spread of 2.3 step heights on a free gait
-/// becomes the wave gait of duty factor 1/2, in which the rear legs wait for each other, (step 8).
+/// Ground on which a free gait becomes kVeryRoughGait: a spread of at least 2.3 step heights, (step 8).
 /// \param spread  of late, as remembered_spread() [m]
-[[nodiscard]] inline gait_state::StepperParams gait_on_ground(const gait_state::StepperParams& gait,
-                                                              double spread,
-                                                              const StepParams& step) noexcept {
-  constexpr double kWaveFrom = 2.3;
-  const bool rough = step.height > 0.0 && spread >= kWaveFrom * step.height;
-  if (gait.stepping != gait_state::Stepping::free || !rough) return gait;
-  return {.stepping = gait_state::Stepping::wave, .duty_factor = 0.5};
+[[nodiscard]] inline bool very_rough(double spread, const StepParams& step) noexcept {
+  constexpr double kFrom = 2.3;
+  return step.height > 0.0 && spread >= kFrom * step.height;
 }
+
+/// The rear legs wait for each other.
+inline constexpr gait_state::StepperParams kVeryRoughGait{.stepping = gait_state::Stepping::wave,
+                                                          .duty_factor = 0.5};
 
 }  // namespace hexagait::footstep_gen

@@ -25,6 +25,7 @@ struct TickRecord {
   Fault fault = Fault::none;  ///< unless none, the stages below were skipped
   bool holding = false;       ///< the measurement is late: the robot holds still
   RobotState state;           ///< joints, feet, odometry
+  bool very_rough = false;    ///< the ground of late: the free gait is a wave, (step 8)
   LegSet lost;                ///< legs that it does without
   LegFindings findings;       ///< what it has found out about its legs and their sensors
   bool refuses = false;       ///< it does not walk, since too few legs are left

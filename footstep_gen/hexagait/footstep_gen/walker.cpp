@@ -6,7 +6,6 @@
 #include <hexagait/executor/tick_motion.hpp>
 #include <hexagait/footstep_gen/detail/rear_edge.hpp>
 #include <hexagait/footstep_gen/detail/stance_from_above.hpp>
-#include <hexagait/footstep_gen/roughness.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/gait_state/ring.hpp>
 #include <hexagait/math/trigonometry.hpp>
@@ -211,6 +210,9 @@ void Walker::feel_roughness() noexcept {
   const PlanarTwist& V = record_.base.planar;
   const double speed = V.v.norm() + params_.executor.base.outer_radius * std::abs(V.w);
   spread_ = remembered_spread(spread_, print_spread_, speed * params_.control_dt, params_.step);
+  const bool may_change = params_.stepper.stepping == gait_state::Stepping::free && !crawls() &&
+                          lost_legs().empty() && !model_->legs[0].has_two_joints();
+  record_.very_rough = may_change && very_rough(spread_, params_.step);
 }
 
 heading_control::PathArc Walker::arc_of(const heading_control::Heading& heading) const noexcept {
@@ -255,7 +257,7 @@ void Walker::find_deadlock() noexcept {
   // A step all tries of which fail, and half of another one; a wave gait may take longer from step to step.
   double patience = kPatience * (nominal_step_time(swing, params_.step) +
                                  swing.max_retreats * (swing.retreat_time + swing.transfer_time));
-  const gait_state::StepperParams gait = gait_here();
+  const gait_state::StepperParams& gait = gait_here();
   if (gait.stepping == gait_state::Stepping::wave)
     patience = std::max(patience, memory_.stepper.longest_step() / (1.0 - gait.duty_factor));
   const int n = model_->num_legs();
@@ -397,12 +399,6 @@ void Walker::command() noexcept {
   if (gives_way) record_.base_auto.correction.v += way_for_waiting();
   record_.base_auto.max_speed = speed_limit_;
   executor_.command(record_.base_auto);
-}
-
-// The gait for the ground that the feet have found. (step 8)
-gait_state::StepperParams Walker::gait_here() const noexcept {
-  const bool as_asked = crawls() || !lost_legs().empty() || model_->legs[0].has_two_joints();
-  return as_asked ? params_.stepper : gait_on_ground(params_.stepper, spread_, params_.step);
 }
 
 // The steps for the ground that the feet have found.

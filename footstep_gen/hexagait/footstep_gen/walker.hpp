@@ -6,6 +6,7 @@
 #include <hexagait/footstep_gen/generator.hpp>
 #include <hexagait/footstep_gen/holes.hpp>
 #include <hexagait/footstep_gen/lost_legs.hpp>
+#include <hexagait/footstep_gen/roughness.hpp>
 #include <hexagait/footstep_gen/tick_record.hpp>
 #include <hexagait/gait_state/decide.hpp>
 #include <hexagait/gait_state/ring.hpp>
@@ -20,8 +21,8 @@ struct WalkerParams {
   double control_dt = 0.002;  ///< control period [s], 1 to 20 ms
   SensorMask sensors;
   gait_state::GaitParams gait{.tie_tolerance = kDerived};
-  gait_state::StepperParams
-      stepper;  ///< initial gait: free (a wave where the ground is very rough, (step 8)), wave or tripod
+  /// Initial gait: free (a wave where the ground is very rough, (step 8)), wave or tripod.
+  gait_state::StepperParams stepper;
   StepParams step;
   ExecutorParams executor;
   ToleranceParams tolerance;  ///< its `tie` is not used: that of `gait` is
@@ -132,7 +133,9 @@ class Walker {
   void feel_roughness() noexcept;
   void learn_holes() noexcept;
   void keep_clear_of_holes(FootstepCommand& step, double to_come) const noexcept;
-  [[nodiscard]] gait_state::StepperParams gait_here() const noexcept;
+  [[nodiscard]] const gait_state::StepperParams& gait_here() const noexcept {
+    return record_.very_rough ? kVeryRoughGait : params_.stepper;
+  }
   [[nodiscard]] StepParams steps_here() const noexcept;
   [[nodiscard]] const Pose* path_pose() const noexcept { return crawls() ? &X_BG_ : nullptr; }
   [[nodiscard]] double share_to_come(LegId leg) const noexcept;

@@ -431,10 +431,11 @@ TEST(Walker, TakesLowerStepsOnLevelGround) {
 }
 
 // (step 8) Up a slope of 25° the prints of its feet differ in height by 0.37 m, more than 2.3 steps are high: rear
-// legs wait for each other, and feet touch down as slowly as on level ground.
+// legs wait for each other, and feet touch down as slowly as on level ground. Who asks for the tripod gets it.
 TEST(Walker, WalksAWaveWhereItsPrintsDifferMuch) {
+  const auto slope = [](const Vector2& p_O) { return std::max(0.0, 0.47 * (p_O.x() - 1.5)); };
   Walk walk(argos(), 0.0);
-  walk.plant.ground = [](const Vector2& p_O) { return std::max(0.0, 0.47 * (p_O.x() - 1.5)); };
+  walk.plant.ground = slope;
   double touchdown = 0.0;
   const auto rear_legs_wait = [&](double to) {
     int ticks = 0;
@@ -448,9 +449,23 @@ TEST(Walker, WalksAWaveWhereItsPrintsDifferMuch) {
     return ticks * kDt;
   };
   EXPECT_EQ(rear_legs_wait(1.0), 0.0) << "a free gait";
+  EXPECT_FALSE(walk.walker.record().very_rough);
   (void)rear_legs_wait(2.6);
   EXPECT_GT(rear_legs_wait(3.2), 0.01) << "s of waiting";
+  EXPECT_TRUE(walk.walker.record().very_rough);
   EXPECT_EQ(touchdown, 1.0);
+
+  WalkerParams params;
+  params.stepper.stepping = gait_state::Stepping::tripod;
+  Walk tripod(argos(), 0.0, 0, params);
+  tripod.plant.ground = slope;
+  for (int k = 0; k < 10000 && tripod.place().x() < 2.6; ++k) {
+    const TickRecord& record =
+        tripod.walker.tick(PlantStatus::fresh, tripod.plant.measurement, Heading::straight(0.0));
+    ASSERT_FALSE(record.very_rough);
+    tripod.plant.follow(record, kDt);
+  }
+  EXPECT_GT(tripod.place().x(), 2.5);
 }
 
 // (step 3) Once it knows that the drives do not lag. A wave's body follows its swings: it does without.

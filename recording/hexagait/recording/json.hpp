@@ -21,7 +21,7 @@ struct WalkReport {
   Simulation simulation;
   walk::Summary summary;
   std::string hindrance = {};           ///< why it is stuck, in words; empty if it is not
-  std::vector<std::string> found = {};  ///< by the controller, about its legs and sensors
+  std::vector<std::string> found = {};  ///< by the controller, about its legs and the ground
   bool interrupted = false;             ///< stopped by the user
   std::optional<SideView> side_view =
       {};  ///< of Genghis: its terrain, not the simulation's, counts

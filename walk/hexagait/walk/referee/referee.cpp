@@ -193,6 +193,7 @@ void Referee::watch_rule1(const TickRecord& record, const GroundTruth& truth) {
   summary_.escapes += phase == EscapePhase::moves && record.escape.tries > tries_ ? 1 : 0;
   tries_ = record.escape.tries;
   if (phase != EscapePhase::none) summary_.escape = record.escape;
+  summary_.very_rough += record.very_rough ? dt_ : 0.0;
   summary_.refused = summary_.refused || record.refuses;
   const gait_state::Ring ring(n, record.lost);
   const LegSet in_air = without(ring.present(), feet_in_contact(truth));

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <hexagait/walk/referee/detail/hand_made_walk.hpp>
@@ -204,6 +205,18 @@ TEST(Referee, NamesTheLegThatFoundNoGround) {
   EXPECT_EQ(why.leg, 2);
   EXPECT_GT(why.no_ground, 1);
   EXPECT_NE(cause_in_words(why, HandMadeWalk::six_legs()).find("no ground"), std::string::npos);
+}
+
+TEST(Referee, SaysForHowLongTheGroundWasVeryRough) {
+  HandMadeWalk walk;
+  walk.tick(100);
+  EXPECT_TRUE(found_in_words(walk.referee.summary(), HandMadeWalk::six_legs()).empty());
+  walk.record.very_rough = true;
+  walk.tick(700);
+  walk.record.very_rough = false;
+  walk.tick(100);
+  EXPECT_THAT(found_in_words(walk.referee.summary(), HandMadeWalk::six_legs()),
+              ::testing::ElementsAre(::testing::HasSubstr("for 1.4 s: the free gait is a wave")));
 }
 
 TEST(Referee, DoesNotCallProgressOrATurnOrARestStuck) {

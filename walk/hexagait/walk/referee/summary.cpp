@@ -101,6 +101,9 @@ std::vector<std::string> found_in_words(const Summary& summary, const RobotModel
     if (found.noisy.contains(i))
       words.push_back(fmt::format("joints of {} are noisy; they are not believed", leg));
   }
+  if (summary.very_rough > 0.0)
+    words.push_back(fmt::format(
+        "very rough ground for {:.1f} s: the free gait is a wave gait there", summary.very_rough));
   if (summary.escapes > 0) words.push_back(in_words(summary.escape, robot));
   if (summary.escapes > 1) words.back() += fmt::format(" (the last of {})", summary.escapes);
   if (summary.refused)

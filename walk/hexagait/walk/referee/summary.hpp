@@ -33,7 +33,8 @@ struct Hindrance {
 
 struct Summary;
 
-/// What the controller found out about its legs and did about it, a sentence each; empty: nothing.
+/// What the controller found out about its legs and the ground, and did about it, a sentence each; empty:
+/// nothing.
 [[nodiscard]] std::vector<std::string> found_in_words(const Summary& summary,
                                                       const RobotModel& robot);
 
@@ -86,6 +87,7 @@ struct Summary {
   int real_contact_losses = 0;
   LegSet lost;                         ///< legs that the controller does without, at the end
   footstep_gen::LegFindings findings;  ///< what it has found out about its legs, at the end
+  double very_rough = 0.0;             ///< time for which the free gait was a wave, (step 8) [s]
   int escapes = 0;                     ///< tries to get out of a deadlock
   footstep_gen::Escape escape;         ///< the last of them, or that it has given up
   bool refused = false;                ///< it did not walk, since too few legs were left
