@@ -69,14 +69,18 @@ void add_results(CLI::App& app, ResultsArguments& a) {
   CLI::App* results =
       app.add_subcommand("results", "Make the page of all figures and claims again");
   results->footer(
-      "\nExamples:\n  hexagait results\n  hexagait results --only speed --out speed.md\n\n"
+      "\nEach section is written when it is measured, and says when and with what; rough has 10\n"
+      "terrains a height.\n\n"
+      "Examples:\n  hexagait results\n  hexagait results --only speed\n\n"
       "Exit status: 0 every claim holds, or fails within the band that is declared for it; 1 one\n"
       "does not, or holds unexpectedly; 2 bad usage or input; 130 Ctrl-C.");
   results->add_option("--out", a.out, "The page")->type_name("FILE.md")->capture_default_str();
   results->add_option("--figures", a.figures, "Directory of the experiments' figures")
       ->type_name("DIR")
       ->capture_default_str();
-  results->add_option("--only", a.only, "An experiment, or speed; may be given several times")
+  results
+      ->add_option("--only", a.only,
+                   "An experiment, or speed; the other sections of the page stay; may be repeated")
       ->type_name("GROUP");
   results->add_flag("--short", a.short_form, "Short forms of the experiments");
   results->add_flag("--quiet", a.quiet, "No progress on stderr");

@@ -266,6 +266,37 @@ TEST_F(Cli, MakesAPageOfResultsWithEachFigureItsBoundAndItsCommand) {
   EXPECT_THAT(page, testing::Not(HasSubstr("fig10")));
 }
 
+// Each section says when it was measured; what another one says stays to the letter.
+TEST_F(Cli, MeasuresOneGroupOfThePageOfResultsAgain) {
+  ASSERT_EQ(run("results --only fig7a --only table1 --out page.md --figures r --quiet").status, 0);
+  std::string page = content(here() / "page.md");
+  const auto replace = [&page](const std::string& what, const std::string& by) {
+    const std::size_t at = page.find(what);
+    ASSERT_NE(at, std::string::npos) << what;
+    page.replace(at, what.size(), by);
+  };
+  replace("| states | 62 | 62 |", "| states | 62 | 61 |");
+  replace("| most classes in a cell | 1 | 1 |", "| most classes in a cell | 1 | 7 |");
+  const std::string table1 = page.substr(0, page.find("\n## [PC04] Fig. 7-A"));
+  std::ofstream(here() / "page.md") << page;
+  ASSERT_EQ(run("results --only fig7a --out page.md --figures r --quiet").status, 0);
+  EXPECT_THAT(content(here() / "page.md"),
+              AllOf(testing::StartsWith(table1), HasSubstr("`hexagait experiment fig7a`, 20")));
+  ASSERT_EQ(run("results --only table1 --out page.md --figures r --quiet").status, 0);
+  EXPECT_THAT(content(here() / "page.md"),
+              AllOf(HasSubstr("| states | 62 | 62 |"),
+                    HasSubstr("| most classes in a cell | 1 | 1 |"), HasSubstr("fig7a")));
+}
+
+TEST_F(Cli, LeavesAPageAloneThatIsNotOneOfResults) {
+  std::ofstream(here() / "notes.md") << "# Notes\n";
+  const Result result = run("results --only table1 --out notes.md --figures r --quiet");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.err,
+              AllOf(HasSubstr("notes.md"), HasSubstr("not a page of hexagait results")));
+  EXPECT_EQ(content(here() / "notes.md"), "# Notes\n");
+}
+
 TEST_F(Cli, RefusesAGroupOfResultsThatDoesNotExist) {
   const Result result = run("results --only fig77 --out page.md");
   EXPECT_EQ(result.status, 2);
