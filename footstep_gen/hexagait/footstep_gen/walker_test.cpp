@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <hexagait/balance/support_polygon.hpp>
-#include <hexagait/footstep_gen/walker.hpp>
+#include <hexagait/footstep_gen/detail/kinematic_walk.hpp>
 #include <hexagait/heading_control/twist.hpp>
 #include <hexagait/text/invalid_input.hpp>
 #include <limits>
 #include <set>
 #include <testing/argos.hpp>
 #include <testing/control_period.hpp>
-#include <testing/kinematic_plant.hpp>
 #include <vector>
 
 namespace hexagait::footstep_gen {
@@ -26,77 +25,7 @@ using heading_control::Turn;
 using hexagait::testing::argos;
 using hexagait::testing::kDt;
 
-/// Rule 1 in its own words: who stands beside whom, for n legs in two rows.
-bool are_neighbours(LegId a, LegId b, int n) {
-  const bool same_side = a % 2 == b % 2, same_pair = a / 2 == b / 2;
-  const bool end_pair = a / 2 == 0 || a / 2 == n / 2 - 1;
-  return same_side ? std::abs(a - b) == 2 : same_pair && end_pair;
-}
-
-struct Lift {
-  double time;
-  LegId leg;
-};
-
-/// A walker in the kinematic world, and who lifted when. A value.
-struct Walk {
-  Walker walker;
-  testing::KinematicPlant plant;
-  std::vector<Lift> lifts;
-  LegArray<double> longest_wait;  ///< between two lifts of a leg [s]
-  LegArray<double> last_lift;
-
-  explicit Walk(const RobotModel& model, double spread = 0.8, std::uint32_t trial = 0,
-                const WalkerParams& params = {})
-      : walker(model, params),
-        plant(model, spread, {.seed = 11, .stream = RandomStream::posture, .trial = trial}),
-        longest_wait(model.num_legs(), 0.0),
-        last_lift(model.num_legs(), 0.0) {
-    walker.start(plant.measurement);
-  }
-
-  const TickRecord& tick(const Heading& heading) {
-    const LegArray<LegLane> before = walker.record().legs;
-    const TickRecord& record = walker.tick(PlantStatus::fresh, plant.measurement, heading);
-    check_rule_1(before, record);
-    plant.follow(record, kDt);
-    for (LegId i = 0; i < before.size(); ++i) {
-      if (record.lifts.contains(i)) {
-        lifts.push_back({record.state.time, i});
-        last_lift[i] = record.state.time;
-      }
-      longest_wait[i] = std::max(longest_wait[i], record.state.time - last_lift[i]);
-    }
-    return record;
-  }
-
-  void walk(const Heading& heading, double seconds) {
-    for (int k = 0; k < std::lround(seconds / kDt); ++k) tick(heading);
-  }
-
-  /// No leg lifts beside one that doesn't stand, nor together with a neighbour; and at no time are
-  /// two neighbours off the ground.
-  void check_rule_1(const LegArray<LegLane>& before, const TickRecord& record) const {
-    ASSERT_EQ(record.fault, Fault::none);
-    ASSERT_TRUE(record.rule1_violations.empty());
-    const auto stands = [&](const LegLane& lane) {
-      return lane.phase == LegPhase::support &&
-             lane.without_contact <= walker.params().executor.swing.lost_time;
-    };
-    for (LegId a = 0; a < before.size(); ++a) {
-      for (LegId b = 0; b < before.size(); ++b) {
-        if (!are_neighbours(a, b, before.size())) continue;
-        ASSERT_TRUE(stands(record.legs[a]) || stands(record.legs[b])) << a << " and " << b;
-        if (!record.lifts.contains(a)) continue;
-        ASSERT_TRUE(stands(before[b])) << a << " lifts beside " << b;
-        ASSERT_FALSE(record.lifts.contains(b)) << a << " lifts with " << b;
-      }
-    }
-  }
-
-  double odometry_error() const { return (walker.record().state.X_OB.p - plant.X_OB.p).norm(); }
-  Vector2 place() const { return plant.X_OB.p.head<2>(); }
-};
+using Walk = KinematicWalk;
 
 Heading random_heading(RandomSequence& random) {
   const double kind = random.u01(), alpha = random.uniform(-std::numbers::pi, std::numbers::pi);
@@ -397,112 +326,6 @@ TEST(WalkerSensors, AreNotNeededToWalk) {
     EXPECT_GT(walk.lifts.size(), 40U);
     EXPECT_LT((walk.place() - complete.place()).norm(), 0.2 * complete.place().norm());
   }
-}
-
-// (step 2, 4) Level up to x = 2 m, then in cells of 0.3 m that are 0 or 8 cm high: more than the half of 10 cm
-// that the steps before have saved.
-TEST(Walker, TakesLowerStepsOnLevelGround) {
-  Walk walk(argos(), 0.0);
-  walk.plant.ground = [](const Vector2& p_O) {
-    const long cell = std::lround(p_O.x() / 0.3) + std::lround(p_O.y() / 0.3);
-    return p_O.x() < 2.0 || cell % 2 == 0 ? 0.0 : 0.08;
-  };
-  const StepParams& step = walk.walker.params().step;
-  const auto footsteps = [&walk](double from, double to) {
-    std::vector<FootstepCommand> steps;
-    for (int k = 0; k < 30000 && walk.place().x() < to; ++k) {
-      const TickRecord& record = walk.tick(Heading::straight(0.0));
-      for (LegId i = 0; i < 6; ++i)
-        if (record.lifts.contains(i) && walk.place().x() > from)
-          steps.push_back(record.footsteps[i]);
-    }
-    return steps;
-  };
-  for (const FootstepCommand& taken : footsteps(-1.0, 0.05))
-    EXPECT_NEAR(taken.profile_height, step.height, 0.1 * step.height) << "of unknown ground";
-  const std::vector<FootstepCommand> level = footsteps(1.0, 1.4);
-  ASSERT_GT(level.size(), 3U);
-  for (const FootstepCommand& taken : level)
-    EXPECT_NEAR(taken.profile_height, step.level_height * step.height, 1e-3);
-  const std::vector<FootstepCommand> rough = footsteps(2.8, 3.6);
-  ASSERT_GT(rough.size(), 8U);
-  for (const FootstepCommand& taken : rough)
-    EXPECT_GE(taken.profile_height, step.height) << "of leg " << taken.leg;
-}
-
-// (step 8) Up a slope of 25° the prints of its feet differ in height by 0.37 m, more than 2.3 steps are high: rear
-// legs wait for each other, and feet touch down as slowly as on level ground. Who asks for the tripod gets it.
-TEST(Walker, WalksAWaveWhereItsPrintsDifferMuch) {
-  const auto slope = [](const Vector2& p_O) { return std::max(0.0, 0.47 * (p_O.x() - 1.5)); };
-  Walk walk(argos(), 0.0);
-  walk.plant.ground = slope;
-  double touchdown = 0.0;
-  const auto rear_legs_wait = [&](double to) {
-    int ticks = 0;
-    for (int k = 0; k < 30000 && walk.place().x() < to; ++k) {
-      const TickRecord& record = walk.tick(Heading::straight(0.0));
-      if (record.waits.contains(4) || record.waits.contains(5)) ++ticks;
-      if (walk.place().x() > 2.6 && !record.lifts.empty())
-        for (LegId leg = 0; leg < 6; ++leg)
-          touchdown = std::max(touchdown, record.footsteps[leg].touchdown);
-    }
-    return ticks * kDt;
-  };
-  EXPECT_EQ(rear_legs_wait(1.0), 0.0) << "a free gait";
-  EXPECT_FALSE(walk.walker.record().very_rough);
-  (void)rear_legs_wait(2.6);
-  EXPECT_GT(rear_legs_wait(3.2), 0.01) << "s of waiting";
-  EXPECT_TRUE(walk.walker.record().very_rough);
-  EXPECT_EQ(touchdown, 1.0);
-
-  WalkerParams params;
-  params.stepper.stepping = gait_state::Stepping::tripod;
-  Walk tripod(argos(), 0.0, 0, params);
-  tripod.plant.ground = slope;
-  for (int k = 0; k < 10000 && tripod.place().x() < 2.6; ++k) {
-    const TickRecord& record =
-        tripod.walker.tick(PlantStatus::fresh, tripod.plant.measurement, Heading::straight(0.0));
-    ASSERT_FALSE(record.very_rough);
-    tripod.plant.follow(record, kDt);
-  }
-  EXPECT_GT(tripod.place().x(), 2.5);
-}
-
-// (step 3) Once it knows that the drives do not lag. A wave's body follows its swings: it does without.
-TEST(Walker, SwingsInHasteOnLevelGround) {
-  const auto hastes = [](const WalkerParams& params) {
-    Walk walk(argos(), 0.0, 0, params);
-    std::set<double> found;
-    for (int k = 0; k < 2000; ++k) {
-      const TickRecord& record = walk.tick(Heading::straight(0.0));
-      for (LegId i = 0; i < 6; ++i)
-        if (k > 1000 && record.lifts.contains(i)) found.insert(record.footsteps[i].haste);
-    }
-    return found;
-  };
-  const double haste = Walk(argos(), 0.0).walker.params().step.haste;
-  ASSERT_GT(haste, 1.0);
-  EXPECT_EQ(hastes({}), std::set{haste});
-  WalkerParams wave;
-  wave.stepper = {.stepping = gait_state::Stepping::wave, .duty_factor = 0.6};
-  EXPECT_EQ(hastes(wave), std::set{1.0});
-}
-
-// A velocity command is a path and a limit of the speed along it.
-TEST(Walker, KeepsToTheSpeedOfAVelocityCommand) {
-  Walk walk(argos());
-  const auto stance = nominal_stance(argos());
-  const heading_control::HeadingCommand slow =
-      heading_control::from_twist({{0.1, 0.0}, 0.0}, stance);
-  double fastest = 0.0;
-  for (int k = 0; k < 5000; ++k) {
-    const TickRecord& record = walk.walker.tick(PlantStatus::fresh, walk.plant.measurement, slow);
-    walk.plant.follow(record, kDt);
-    fastest = std::max(fastest, record.base.planar.v.norm());
-  }
-  const BaseParams& base = walk.walker.params().executor.base;
-  EXPECT_LT(fastest, 0.1 * 1.001 + base.correction_speed) << "and a little for the correction";
-  EXPECT_NEAR(walk.plant.X_OB.p.x(), 1.0, 0.1);
 }
 
 }  // namespace
