@@ -44,6 +44,23 @@ TEST(Swing, GoesBackAndUpWhenItHitsSomethingAndOverItAtTheNextTry) {
   EXPECT_NEAR(swing.foot().z(), 0.12, 1e-3);
 }
 
+// The third and fourth retreat take the apex up by twice as much: a wall so high may be higher still.
+TEST(Swing, RisesByMoreFromTheThirdCollisionOn) {
+  Swing swing;
+  swing.touches = [](const Vector3& p_OF) { return p_OF.z() <= 0.0 || ahead(p_OF) > 0.1; };
+  swing.command(kTarget);
+  swing.until(LegPhase::transfer);
+  std::vector<double> apex = {swing.lane.apex_z};
+  for (int k = 0; k < 5000 && apex.size() < 5; ++k) {
+    swing.tick();
+    if (swing.lane.retreats == static_cast<int>(apex.size())) apex.push_back(swing.lane.apex_z);
+  }
+  ASSERT_EQ(apex.size(), 5U);
+  const double up = swing.params.retreat_up;
+  const double rises[] = {up, up, 2.0 * up, 2.0 * up};
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(apex[k + 1] - apex[k], rises[k], 1e-12) << k;
+}
+
 TEST(Swing, TriesAgainWithoutHaste) {
   Swing swing;
   swing.touches = touches_wall;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <hexagait/experiments/walk_checks.hpp>
 #include <hexagait/rough/tally.hpp>
 #include <hexagait/statistics/differences.hpp>
@@ -14,23 +15,26 @@ namespace {
 struct Claimed {
   double height;  // of the boxes [m]
   double least;   // arrive [%]
-  Bound band;     // where that is known not to hold; else empty
-  double margin;  // of the plant `real`, that it arrives less often [points]
+  Bound band;     // where that is known not to hold; else kHolds
+  Bound real;     // the same of the points by which the plant `real` arrives more often
 };
-constexpr double kNone = -1.0, kRounding = 1e-9;
-constexpr Claimed kClaims[] = {{0.15, 100.0, {kNone, kNone}, 3.0},
-                               {0.20, 99.0, {60.0, 97.0}, 3.0},
-                               {0.25, 97.0, {50.0, 90.0}, 3.0},
-                               {0.30, 85.0, {20.0, 80.0}, 3.0}};
+constexpr double kMargin = -3.0;  // those points at least
+constexpr double kRounding = 1e-9;
+constexpr Bound kHolds{};
+constexpr Claimed kClaims[] = {{0.15, 100.0, {98.0, 99.9}, kHolds},
+                               {0.20, 99.0, {96.0, 98.9}, {-10.0, -3.1}},
+                               {0.25, 97.0, {90.0, 96.9}, kHolds},
+                               {0.30, 85.0, {75.0, 84.9}, {-20.0, -3.1}}};
 constexpr const char* kWhyFalls =
     "feet roll off edges when the legs beside them have lifted, and odometry's tilt drifts";
+constexpr const char* kWhyReal = "feet touch down faster where the height is a guess, and are felt late";
 constexpr const char* kWhyNoLead =
     "it waits for two neighbours instead of for all, which gains little where each step is slow";
 
 std::string in_cm(double height) { return fmt::format("{:g} cm", 100.0 * height); }
 
 Check known(Check check, const Bound& band, const char* why) {
-  return band.least == kNone ? check : std::move(check).expected_to_fail(band, why);
+  return std::isfinite(band.least) ? std::move(check).expected_to_fail(band, why) : check;
 }
 
 // In percent of the waiting tripod's speed.
@@ -68,7 +72,8 @@ Verdict judge_real(std::span<const RoughPoint> points) {
                   100.0 * d.value,
                   fmt::format("{} of {}", real->arrived.count, real->arrived.trials));
     less.interval = {100.0 * d.lower, 100.0 * d.upper};
-    verdict.checks.push_back({less, at_least(-claimed.margin - kRounding)});
+    verdict.checks.push_back(
+        known(Check(less, at_least(kMargin - kRounding)), claimed.real, kWhyReal));
   }
   return verdict;
 }

@@ -10,6 +10,9 @@ namespace {
 
 // The next foothold that is tried, of the way there.
 constexpr double kCloser = 0.6;
+// Who has collided more often than this is before a high wall, and rises by so many times more.
+constexpr int kLowTries = 2;
+constexpr double kHigher = 2.0;
 // Of the search for a foothold, in times that a foot moves back in a retreat.
 constexpr double kSearchWidth = 2.0;
 
@@ -48,7 +51,8 @@ void retreat(LegLane& lane, const LegSensed& sensed, const Pose& X_OB,
   lane.back_O = p_OF;
   if (distance != 0.0) lane.back_O += back * (params.retreat_back / distance);  // NaN stays one
   if (++lane.retreats > 2) lane.reach_fraction *= kCloser;
-  if (lane.retreats < params.max_retreats) lane.apex_z += params.retreat_up;
+  if (lane.retreats < params.max_retreats)
+    lane.apex_z += params.retreat_up * (lane.retreats > kLowTries ? kHigher : 1.0);
   search_elsewhere(lane, params);
 }
 
