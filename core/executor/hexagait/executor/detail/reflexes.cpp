@@ -50,7 +50,7 @@ void retreat(LegLane& lane, const LegSensed& sensed, const Pose& X_OB,
   const double distance = back.norm();
   lane.back_O = p_OF;
   if (distance != 0.0) lane.back_O += back * (params.retreat_back / distance);  // NaN stays one
-  if (++lane.retreats > 2) lane.reach_fraction *= kCloser;
+  ++lane.retreats;
   if (lane.retreats < params.max_retreats)
     lane.apex_z += params.retreat_up * (lane.retreats > kLowTries ? kHigher : 1.0);
   search_elsewhere(lane, params);
