@@ -9,8 +9,9 @@
 namespace hexagait::footstep_gen {
 namespace {
 
-constexpr double kThere = 0.1;      // of the progress: what is left of the way
-constexpr double kBehind = 1.0;     // a lag less than any other
+constexpr double kThere = 0.1;    // of the progress: what is left of the way
+constexpr double kStands = 0.15;  // of the patience: a body that comes no nearer for so long can't
+constexpr double kBehind = 1.0;   // a lag less than any other
 constexpr double kOtherPath = 0.5;  // per metre of path: the command is another one
 
 // Way of the outermost foot.
@@ -33,7 +34,18 @@ void Deadlock::begin(const DeadlockInput& in) noexcept {
   escape_.failing = escape_.held = in.failing;
   escape_.way = logarithm(there);
   to_ = in_plane(in.X_OB) * there;
-  since_ = in.time;
+  since_ = nearer_ = in.time;
+  nearest_ = size(escape_.way, in.arm);
+}
+
+// Or as near as it gets: a standing foot that is at the end of its leg keeps it.
+bool Deadlock::is_there(const DeadlockInput& in) noexcept {
+  const double left = size(escape_.left, in.arm), near = kThere * in.progress;
+  if (left < nearest_ - near) {
+    nearest_ = left;
+    nearer_ = in.time;
+  }
+  return left <= near || in.time - nearer_ > kStands * in.patience;
 }
 
 // A leg that fails lags the most, so it would try again and again, and its neighbours never step.
@@ -79,7 +91,7 @@ Escape Deadlock::update(const DeadlockInput& in) noexcept {
       break;
     case EscapePhase::moves:
       escape_.left = logarithm(between(now, to_));
-      if (!long_enough && size(escape_.left, in.arm) > kThere * in.progress) break;
+      if (!long_enough && !is_there(in)) break;
       escape_.phase = EscapePhase::steps;
       escape_.left = {};
       wait_from_here(in);

@@ -69,15 +69,18 @@ class Deadlock {
  private:
   void hold(const DeadlockInput& in) noexcept;
   void begin(const DeadlockInput& in) noexcept;
+  [[nodiscard]] bool is_there(const DeadlockInput& in) noexcept;
   void wait_from_here(const DeadlockInput& in) noexcept;
 
   Escape escape_;
-  bool walked_ = false;  ///< in the last tick
-  double since_ = 0.0;   ///< when the present phase began, or progress was last made [s]
-  PlanarPose from_;      ///< where the body was then
-  PlanarPose to_;        ///< where the try takes the body
-  LegSet left_ground_;   ///< legs that have left it since the present phase began
-  PlanarTwist gave_up_;  ///< the path on which it gave up
+  bool walked_ = false;   ///< in the last tick
+  double since_ = 0.0;    ///< when the present phase began, or progress was last made [s]
+  PlanarPose from_;       ///< where the body was then
+  PlanarPose to_;         ///< where the try takes the body
+  double nearest_ = 0.0;  ///< what was least left of that way [m]
+  double nearer_ = 0.0;   ///< when the body last came nearer [s]
+  LegSet left_ground_;    ///< legs that have left it since the present phase began
+  PlanarTwist gave_up_;   ///< the path on which it gave up
 };
 
 /// Gives the legs that are held the lowest priority.

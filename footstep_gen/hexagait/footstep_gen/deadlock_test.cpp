@@ -78,6 +78,20 @@ TEST(Deadlock, MovesTheBodyOverItsFeetButNotBack) {
   EXPECT_EQ(there.left.v.norm(), 0.0);
 }
 
+// A body that a standing foot keeps where it is does not wait for all of its patience. One that comes nearer does.
+TEST(Deadlock, StepsFromWhereTheBodyCannotMoveOn) {
+  Deadlock deadlock;
+  DeadlockInput in = standing(Vector3(0.0, 0.2, 0.0));
+  deadlock.update(in);
+  EXPECT_EQ(after(deadlock, in, 2.1).phase, EscapePhase::moves);
+  for (int k = 0; k < 5; ++k) {
+    in.X_OB.p.y() += 0.011;
+    EXPECT_EQ(after(deadlock, in, 0.29).phase, EscapePhase::moves) << k;
+  }
+  EXPECT_EQ(after(deadlock, in, 0.29).phase, EscapePhase::moves);
+  EXPECT_EQ(after(deadlock, in, 0.02).phase, EscapePhase::steps);
+}
+
 TEST(Deadlock, LegsThatAreOffTheGroundDoNotMoveTheBody) {
   Deadlock deadlock;
   DeadlockInput in = standing(Vector3(0.0, 0.04, 0.0));

@@ -64,15 +64,20 @@ inline constexpr double kSlowFrom = 2.5;  ///< spread without haste, of the step
   return step;
 }
 
-/// Ground on which a free gait becomes kVeryRoughGait: a spread of at least 2.3 step heights, (step 8).
+/// Ground on which a free gait becomes very_rough_gait(): a spread of at least 2.3 step heights, (step 8).
 /// \param spread  of late, as remembered_spread() [m]
 [[nodiscard]] inline bool very_rough(double spread, const StepParams& step) noexcept {
   constexpr double kFrom = 2.3;
   return step.height > 0.0 && spread >= kFrom * step.height;
 }
 
-/// The rear legs wait for each other.
-inline constexpr gait_state::StepperParams kVeryRoughGait{.stepping = gait_state::Stepping::wave,
-                                                          .duty_factor = 0.5};
+/// The rear legs wait for each other, but never as if steps took longer than 1.2 times the usual, (step 8).
+/// \param step_time  usual [s]
+[[nodiscard]] inline gait_state::StepperParams very_rough_gait(double step_time) noexcept {
+  constexpr double kLongest = 1.2;
+  return {.stepping = gait_state::Stepping::wave,
+          .duty_factor = 0.5,
+          .longest_step = kLongest * step_time};
+}
 
 }  // namespace hexagait::footstep_gen

@@ -80,6 +80,9 @@ TEST(VeryRough, IsGroundWherePrintsDifferMuch) {
   StepParams flat_feet = kStep;
   flat_feet.height = 0.0;
   EXPECT_FALSE(very_rough(1.0, flat_feet)) << "no clearance, no scale";
+  EXPECT_EQ(very_rough_gait(0.8).stepping, gait_state::Stepping::wave);
+  EXPECT_EQ(very_rough_gait(0.8).duty_factor, 0.5);
+  EXPECT_NEAR(very_rough_gait(0.8).longest_step, 0.96, 1e-12);
 }
 
 }  // namespace

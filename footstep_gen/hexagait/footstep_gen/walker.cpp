@@ -87,6 +87,7 @@ Walker::Walker(const RobotModel& model, const WalkerParams& params)
       estimator_(model, params_.sensors, params_.tolerance),
       tracker_(params_.tolerance.turn_arm),
       memory_(model.num_legs(), nominal_step_time(params_.executor.swing, params_.step)),
+      very_rough_gait_(very_rough_gait(memory_.stepper.longest_step())),
       stance_of_all_(nominal_stance(model)),
       level_(stance_of_all_),
       executor_(model, params_.executor) {
@@ -259,7 +260,8 @@ void Walker::find_deadlock() noexcept {
                                  swing.max_retreats * (swing.retreat_time + swing.transfer_time));
   const gait_state::StepperParams& gait = gait_here();
   if (gait.stepping == gait_state::Stepping::wave)
-    patience = std::max(patience, memory_.stepper.longest_step() / (1.0 - gait.duty_factor));
+    patience = std::max(patience, std::min(memory_.stepper.longest_step(), gait.longest_step) /
+                                      (1.0 - gait.duty_factor));
   const int n = model_->num_legs();
   DeadlockInput in{.time = time(),
                    .walks = record_.heading.moving() && speed_limit_ > 0.0,

@@ -134,7 +134,7 @@ class Walker {
   void learn_holes() noexcept;
   void keep_clear_of_holes(FootstepCommand& step, double to_come) const noexcept;
   [[nodiscard]] const gait_state::StepperParams& gait_here() const noexcept {
-    return record_.very_rough ? kVeryRoughGait : params_.stepper;
+    return record_.very_rough ? very_rough_gait_ : params_.stepper;
   }
   [[nodiscard]] StepParams steps_here() const noexcept;
   [[nodiscard]] const Pose* path_pose() const noexcept { return crawls() ? &X_BG_ : nullptr; }
@@ -147,6 +147,7 @@ class Walker {
   StateEstimator estimator_;
   heading_control::PathTracker tracker_;
   gait_state::GaitMemory memory_;
+  gait_state::StepperParams very_rough_gait_;
   Deadlock deadlock_;
   LiftGate gate_;
   BalanceWait balance_;

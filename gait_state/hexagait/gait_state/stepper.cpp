@@ -16,11 +16,12 @@ bool waits(const Stepper& stepper, LegId rear, LegId other_rear, double time, do
   return time < due - kRounding * period;
 }
 
-LegSet wave(const Stepper& stepper, const StepperInput& input, double duty_factor) {
+LegSet wave(const Stepper& stepper, const StepperInput& input, const StepperParams& params) {
   const int n = stepper.lifted_at.size();
   const int edge = input.rear_edge < 0 ? hindmost_edge(n) : input.rear_edge;
   const LegId a = leg_at(edge, n), b = leg_at((edge + 1) % n, n);
-  const double period = stepper.longest_step() / (1.0 - duty_factor);
+  const double period =
+      std::min(stepper.longest_step(), params.longest_step) / (1.0 - params.duty_factor);
   LegSet legs = input.may_step;
   if (waits(stepper, a, b, input.time, period)) legs.erase(a);
   if (waits(stepper, b, a, input.time, period)) legs.erase(b);
@@ -48,7 +49,7 @@ LegSet Stepper::update(const StepperInput& input, const StepperParams& params) n
   }
 
   LegSet lifts = input.may_step;
-  if (params.stepping == Stepping::wave) lifts = wave(*this, input, params.duty_factor);
+  if (params.stepping == Stepping::wave) lifts = wave(*this, input, params);
   if (params.stepping == Stepping::tripod) {
     lifts = second_is_next ? second_tripod(n) : first_tripod(n);
     if (!input.airborne.empty() || input.may_step.empty()) lifts = LegSet();

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <hexagait/gait_state/gait_state.hpp>
+#include <limits>
 
 /// Which of the legs that may step do so now.
 ///
@@ -31,6 +32,8 @@ struct StepperParams {
   Stepping stepping = Stepping::free;
   /// β of the wave gaits: fraction of the period in which a leg stands, 1/2 ≤ β < 1.
   double duty_factor = 0.5;
+  /// The most that T of (gait 5) is taken to be: a leg that searched for long is not waited for so long again.
+  double longest_step = std::numeric_limits<double>::infinity();
 };
 
 struct StepperInput {

@@ -103,6 +103,21 @@ TEST(StepTime, IsMeasuredFromLiftToLanding) {
   EXPECT_EQ(stepper.stepping, LegSet());
 }
 
+// A leg that has searched for 8 is not waited for as long once more: P = 2 · 3, not 2 · 8.
+TEST(WaveStepping, DoesNotWaitForALongStepAgain) {
+  Stepper stepper(6, kStep);
+  (void)ask(stepper, 0.0, legs({5}), wave(0.5));
+  (void)stepper.update({.time = 8.0, .airborne = LegSet(), .may_step = {}}, {});
+  ASSERT_EQ(stepper.longest_step(), 8.0);
+  const StepperParams bounded{.stepping = Stepping::wave, .duty_factor = 0.5, .longest_step = 3.0};
+  Stepper other = stepper;
+  EXPECT_EQ(ask(other, 9.0, legs({5}), wave(0.5)), LegSet());
+  EXPECT_EQ(ask(stepper, 9.0, legs({5}), bounded), legs({5}));
+  stepper.stepping = LegSet();
+  EXPECT_EQ(ask(stepper, 14.9, legs({5}), bounded), LegSet());
+  EXPECT_EQ(ask(stepper, 15.0, legs({5}), bounded), legs({5}));
+}
+
 TEST(TripodStepping, LiftsTheTripodsInTurnWhenAllStandWhateverTheGaitState) {
   Stepper stepper(6, kStep);
   const StepperParams tripod{.stepping = Stepping::tripod};
