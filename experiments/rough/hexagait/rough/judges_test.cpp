@@ -33,7 +33,7 @@ std::vector<RoughPoint> points() {
                            Row{0.25, 187, 181}, Row{0.30, 164, 142}})
       for (const char* controller : {"tripod", "free"})
         all.push_back(of(ideal ? "ideal" : "real", controller, row.height,
-                         ideal ? row.ideal : row.real, 0.15));
+                         ideal ? row.ideal : row.real, 0.15, row.height < 0.25 ? 0.0 : -0.01));
   return all;
 }
 
@@ -72,8 +72,14 @@ TEST(JudgeRough, AllowsThePlantRealThreePoints) {
 TEST(JudgeRough, WantsAllOfTheIntervalAboveTheMargin) {
   auto all = points();
   EXPECT_EQ(judge_lead(all).checks.size(), 7U);
-  EXPECT_EQ(judge_lead(all).word(), kKnown);  // the ratios of 1.05
-  free_at(all, "ideal", 0.25).lead = {-0.0011, -0.0016, -0.0006};
+  EXPECT_EQ(judge_lead(all).word(), kKnown);  // the ratios of 1.05, and a wave over 25 and 30 cm
+  free_at(all, "ideal", 0.20).lead = {-0.0011, -0.0016, -0.0006};
+  EXPECT_EQ(judge_lead(all).word(), kFails);
+}
+
+TEST(JudgeRough, TellsWhenTheWaveIsNotSlower) {
+  auto all = points();
+  free_at(all, "ideal", 0.25).lead = {0.001, 0.0, 0.002};
   EXPECT_EQ(judge_lead(all).word(), kFails);
 }
 
