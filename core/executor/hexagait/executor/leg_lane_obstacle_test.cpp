@@ -56,6 +56,7 @@ TEST(Swing, RisesByMoreFromTheThirdCollisionOn) {
     if (swing.lane.retreats == static_cast<int>(apex.size())) apex.push_back(swing.lane.apex_z);
   }
   ASSERT_EQ(apex.size(), 5U);
+  EXPECT_EQ(swing.lane.reach_fraction, 1.0) << "it keeps aiming at its foothold";
   const double up = swing.params.retreat_up;
   const double rises[] = {up, up, 2.0 * up, 2.0 * up};
   for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(apex[k + 1] - apex[k], rises[k], 1e-12) << k;
