@@ -10,15 +10,14 @@
 #include <cstring>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
 #include <hexagait/all/all.hpp>
 #include <hexagait/figures/gnuplot.hpp>
 #include <hexagait/figures/staged_files.hpp>
 #include <hexagait/recording/simulation.hpp>
 #include <hexagait/sim2d/slice_model.hpp>
 #include <hexagait/text/invalid_input.hpp>
+#include <hexagait/text/text_file.hpp>
 #include <hexagait/urdf/urdf.hpp>
-#include <iterator>
 #include <limits>
 
 #include "commands/commands.hpp"
@@ -115,17 +114,11 @@ ResultsGroup speed(const RobotModel& robot) {
             {Measured("slices on one core", "million/s", slices), experiments::at_least(5.0)}}}}};
 }
 
-std::vector<std::string> names() {
+// The name, or the title, of each group in the order of the page.
+std::vector<std::string> of_each_group(std::string Experiment::*what, const char* of_speed) {
   std::vector<std::string> all;
-  for (const Experiment& experiment : experiments::experiments()) all.push_back(experiment.name);
-  all.emplace_back(kSpeedGroup);
-  return all;
-}
-
-std::vector<std::string> titles() {
-  std::vector<std::string> all;
-  for (const Experiment& experiment : experiments::experiments()) all.push_back(experiment.title);
-  all.emplace_back(kSpeedTitle);
+  for (const Experiment& experiment : experiments::experiments()) all.push_back(experiment.*what);
+  all.emplace_back(of_speed);
   return all;
 }
 
@@ -140,8 +133,8 @@ std::string command_of(const Experiment& experiment, bool short_form) {
 // The page whose sections are to be replaced; empty where there is none.
 ResultsPage page_as_it_is(const fs::path& out) {
   if (!fs::exists(out)) return {};
-  std::ifstream file(out);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  constexpr std::size_t kMaxSize = 1 << 22;
+  const std::string text = read_text(out.string(), kMaxSize, "a page of hexagait results");
   try {
     return ResultsPage(text);
   } catch (const InvalidInput& problem) {
@@ -151,15 +144,15 @@ ResultsPage page_as_it_is(const fs::path& out) {
 }
 
 void write_page(const fs::path& out, const ResultsPage& page) {
-  figures::StagedFiles files(out.has_parent_path() ? out.parent_path() : ".");
-  files.write(out.filename().string(), page.text(titles()));
+  figures::StagedFiles files(out.parent_path());
+  files.write(out.filename().string(), page.text(of_each_group(&Experiment::title, kSpeedTitle)));
   files.publish();
 }
 
 }  // namespace
 
 int results_command(const ResultsArguments& arguments) {
-  const std::vector<std::string> all = names();
+  const std::vector<std::string> all = of_each_group(&Experiment::name, kSpeedGroup);
   for (const std::string& name : arguments.only)
     if (std::ranges::find(all, name) == all.end())
       throw InvalidInput(
@@ -170,7 +163,7 @@ int results_command(const ResultsArguments& arguments) {
   };
   const fs::path out = arguments.out;
   ResultsPage page = page_as_it_is(out);
-  write_page(out, page);  // so that a page that can't be written is known before the work
+  figures::StagedFiles(out.parent_path()).expect(out.filename().string());  // before the work
   const RobotModel robot = load_urdf(robot_file("argos"));
   figures::require_gnuplot();
   const std::atomic<bool>& interrupted = watch_interrupts();

@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/footstep_gen/detail/kinematic_walk.hpp>
-#include <hexagait/heading_control/twist.hpp>
 #include <hexagait/text/invalid_input.hpp>
 #include <limits>
-#include <set>
 #include <testing/argos.hpp>
 #include <testing/control_period.hpp>
 #include <vector>
