@@ -5,7 +5,6 @@
 #include <hexagait/executor/check_params.hpp>
 #include <hexagait/executor/tick_motion.hpp>
 #include <hexagait/footstep_gen/detail/rear_edge.hpp>
-#include <hexagait/footstep_gen/detail/stance_from_above.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/gait_state/ring.hpp>
 #include <hexagait/math/trigonometry.hpp>
@@ -260,8 +259,7 @@ void Walker::find_deadlock() noexcept {
                                  swing.max_retreats * (swing.retreat_time + swing.transfer_time));
   const gait_state::StepperParams& gait = gait_here();
   if (gait.stepping == gait_state::Stepping::wave)
-    patience = std::max(patience, std::min(memory_.stepper.longest_step(), gait.longest_step) /
-                                      (1.0 - gait.duty_factor));
+    patience = std::max(patience, memory_.stepper.period(gait));
   const int n = model_->num_legs();
   DeadlockInput in{.time = time(),
                    .walks = record_.heading.moving() && speed_limit_ > 0.0,
@@ -303,47 +301,6 @@ void Walker::decide() noexcept {
   record_.waits = decision.waits;
   record_.rule1_violations = decision.rule1_violations;
   if (!lost_legs().empty() && !crawls()) wait_for_balance();
-}
-
-LegSet Walker::steady(LegSet legs) const noexcept {
-  if (crawls()) return legs;
-  legs = without(legs, record_.escape.held);
-  const auto [feet, p_M] = stance_from_above(executor_, record_.state.X_OB.R);
-  if (lost_legs().empty())
-    return steady_lifts(feet, p_M, executor_.support(), legs, record_.gait_input.lag);
-  if (too_soon()) return {};
-  const LegSet lifts =
-      steady_lifts(feet, p_M, executor_.support(), legs, record_.gait_input.lag, balance_margin());
-  if (!one_at_a_time() || lifts.empty()) return lifts;
-  return LegSet(1U << hindmost(lifts, record_.gait_input.lag));
-}
-
-// Rule 1.
-LegSet Walker::may_crawl() const noexcept {
-  if (!record_.heading.moving()) return {};
-  const int n = model_->num_legs();
-  const LegSet support = executor_.support();
-  return without(support, gait_state::neighbours_of(without(LegSet::all(n), support), ring()));
-}
-
-LiftGateDecision Walker::gate() noexcept {
-  const int n = model_->num_legs();
-  const Matrix3& R_OB = record_.state.X_OB.R;
-  const Vector2 path = record_.arc.per_metre.v;
-  const auto [feet, p_M] = stance_from_above(executor_, R_OB);
-  LiftGateInput in{.feet = feet,
-                   .p_M = p_M,
-                   .support = executor_.support(),
-                   .may_step = may_crawl(),
-                   .lag = record_.gait_input.lag,
-                   .along = LegArray<double>(n, 0.0),
-                   .path = (R_OB * Vector3(path.x(), path.y(), 0.0)).head<2>(),
-                   .margin = params_.step.lift_margin};
-  for (LegId i = 0; i < n; ++i)
-    in.along[i] = record_.arc.direction[i].dot(stance().p_BC[i].head<2>());
-  LiftGateDecision decision = gate_.update(in);
-  decision.sway = R_OB.topLeftCorner<2, 2>().transpose() * decision.sway;
-  return decision;
 }
 
 // A robot that does not get on in spite of what it knows begins anew.
@@ -389,7 +346,7 @@ void Walker::command() noexcept {
   const bool sways = crawls() && walks();
   const Escape& escape = record_.escape;
   PlanarTwist back{sways ? Vector2(Vector2::Zero()) : record_.deviation.v, record_.deviation.w};
-  const bool gives_way = !sways && !lost_legs().empty() && !record_.waits.empty();
+  const bool gives_way = !sways && asked_balance().margin > 0.0 && !record_.waits.empty();
   if (gives_way) back.v.setZero();
   if (escape.phase != EscapePhase::none) back = escape.left;
   // A crawling base stays as far inside as the leg waited for: braking takes the zero-moment point out by
@@ -427,7 +384,7 @@ double Walker::share_to_come(LegId leg) const noexcept {
   if (gait_here().stepping != gait_state::Stepping::wave || !lost_legs().empty()) return 1.0;
   const gait_state::Stepper& stepper = memory_.stepper;
   const double last_lift = *std::ranges::max_element(stepper.lifted_at);
-  const double last_left = last_lift + stepper.longest_step() - time();
+  const double last_left = last_lift + stepper.longest_step(gait_here()) - time();
   const double left = last_left - (last_lift - stepper.lifted_at[leg]);
   return left > 0.0 ? left / last_left : 0.0;
 }

@@ -112,6 +112,13 @@ class Walker {
   [[nodiscard]] double last_lift() const noexcept;
   [[nodiscard]] bool one_at_a_time() const noexcept;
   [[nodiscard]] bool too_soon() const noexcept;
+  /// The balance that a leg waits for before it lifts. None: its margin is 0.
+  struct AskedBalance {
+    double margin = 0.0;  ///< of the centre of mass inside the feet that stay [m]
+    double beyond = 0.0;  ///< where the body goes for a leg that waits, of the margin
+    double steps = 0.0;   ///< who waits for longer does without [times of a step]
+  };
+  [[nodiscard]] AskedBalance asked_balance() const noexcept;
   [[nodiscard]] double balance_margin() const noexcept;
   void wait_for_balance() noexcept;
   void command() noexcept;

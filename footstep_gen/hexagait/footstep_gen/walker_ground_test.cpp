@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/footstep_gen/detail/kinematic_walk.hpp>
 #include <hexagait/heading_control/twist.hpp>
 #include <set>
@@ -87,6 +88,55 @@ TEST(Walker, WalksAWaveWhereItsPrintsDifferMuch) {
     tripod.plant.follow(record, kDt);
   }
   EXPECT_GT(tripod.place().x(), 2.5);
+}
+
+/// Lifts of a walk over very rough ground, boxes of up to 30 cm, by a robot whose load is 8 cm behind its middle.
+struct RoughLifts {
+  int all = 0;
+  int unsteady = 0;        ///< that leave the centre of mass less than 2.8 times the margin inside
+  int ticks_of_waits = 0;  ///< in which the body moves for a leg that waits
+};
+
+RoughLifts rough_lifts(double asked) {
+  RobotModel loaded = argos();
+  loaded.p_BM.x() -= 0.08;
+  const double margin = Walk(loaded, 0.0).walker.params().step.stability_margin;
+  WalkerParams params;
+  params.step.stability_margin = asked * margin;
+  Walk walk(loaded, 0.0, 0, params);
+  walk.plant.ground = [](const Vector2& p_O) {
+    const long x = std::lround(p_O.x() / 0.3), y = std::lround(p_O.y() / 0.3);
+    return x < 3 ? 0.0 : 0.1 * static_cast<double>((3 * x + 2 * y + x * y) & 3);
+  };
+  RoughLifts found;
+  for (int k = 0; k < 60000 && walk.place().x() < 4.0; ++k) {
+    LegSet stood;
+    for (LegId i = 0; i < 6; ++i)
+      stood.set(i, walk.walker.record().legs[i].phase == LegPhase::support);
+    const TickRecord& record = walk.tick(Heading::straight(0.0));
+    if (!record.very_rough) continue;
+    if (!record.waits.empty() && record.base_auto.correction.v.norm() > 0.005)
+      ++found.ticks_of_waits;
+    if (record.lifts.empty()) continue;
+    const Matrix3& R_OB = record.state.X_OB.R;
+    LegArray<Vector3> feet(6);
+    for (LegId i = 0; i < 6; ++i) feet[i] = R_OB * record.legs[i].p_BF;
+    const SupportPolygon stay = support_polygon(feet, without(stood, record.lifts));
+    ++found.all;
+    if (stability_margin(stay, (R_OB * loaded.p_BM).head<2>()) < 2.8 * margin) ++found.unsteady;
+  }
+  EXPECT_GT(walk.place().x(), 3.9);
+  return found;
+}
+
+// (balance 1)
+TEST(Walker, WaitsForItsBalanceWhereItsPrintsDifferMuch) {
+  const RoughLifts unasked = rough_lifts(0.0), asked = rough_lifts(1.0);
+  EXPECT_GT(unasked.unsteady, 0);
+  EXPECT_EQ(unasked.ticks_of_waits, 0);
+  EXPECT_GT(asked.all, 30);
+  EXPECT_EQ(asked.unsteady, 0);
+  EXPECT_GT(asked.ticks_of_waits, 100);
 }
 
 // (step 3) Once it knows that the drives do not lag. A wave's body follows its swings: it does without.

@@ -11,8 +11,6 @@ namespace hexagait::footstep_gen {
 namespace {
 
 constexpr double kCatching = 2.5;  // times of a lift, after a leg is lost
-constexpr double kWaits = 2.0;     // of the longest step: then it has all the balance it can get
-constexpr double kLevel = 0.5;     // of the step height: prints that differ by less
 
 }  // namespace
 
@@ -49,52 +47,6 @@ void Walker::catch_fall() noexcept {
   const auto [feet, p_M] = stance_from_above(executor_, record_.state.X_OB.R);
   const SupportPolygon polygon = support_polygon(feet, executor_.support());
   if (stability_margin(polygon, p_M) < -params_.step.stability_margin) executor_.put_down();
-}
-
-double Walker::last_lift() const noexcept {
-  return *std::ranges::max_element(memory_.stepper.lifted_at);
-}
-
-// On about level ground legs lift one after the other: pairs that lift together stop the base between their
-// steps. On rough ground no time is given away.
-bool Walker::one_at_a_time() const noexcept {
-  return !lost_legs().empty() && print_spread_ <= kLevel * params_.step.height;
-}
-
-// (lost 2)
-bool Walker::too_soon() const noexcept {
-  return one_at_a_time() && time() - last_lift() < lift_spacing(memory_.stepper.step_time,
-                                                                lost_legs(), ring().size() / 2);
-}
-
-// All of the margin at first; who waits for it for long does without.
-double Walker::balance_margin() const noexcept {
-  const double waited = time() - std::max(last_lift(), balance_.since);
-  const double patience = memory_.stepper.longest_step();
-  return params_.step.stability_margin * std::clamp(kWaits - waited / patience, 0.0, 1.0);
-}
-
-void Walker::wait_for_balance() noexcept {
-  // Whose turn to lift has not come yet does not wait for balance.
-  if (too_soon()) record_.waits = {};
-  balance_.update({.time = time(),
-                   .last_lift = last_lift(),
-                   .patience = kWaits * memory_.stepper.longest_step(),
-                   .waits = record_.waits,
-                   .support = executor_.support(),
-                   .ring = ring()});
-}
-
-// Displacement of the body after which the waiting leg that lags most may lift: with a leg lost, one may
-// wait for balance where all stand and nothing else moves the body.
-Vector2 Walker::way_for_waiting() const noexcept {
-  constexpr double kBeyond = 2.0;  // of the margin that it waits for: the last of the way is slow
-  const LegId next = hindmost(record_.waits, record_.gait_input.lag);
-  const Matrix3& R_OB = record_.state.X_OB.R;
-  const auto [feet, p_M] = stance_from_above(executor_, R_OB);
-  const LegSet rest = without(executor_.support(), LegSet(1U << next));
-  return R_OB.topLeftCorner<2, 2>().transpose() *
-         way_over(feet, p_M, rest, kBeyond * params_.step.stability_margin);
 }
 
 }  // namespace hexagait::footstep_gen

@@ -20,8 +20,7 @@ LegSet wave(const Stepper& stepper, const StepperInput& input, const StepperPara
   const int n = stepper.lifted_at.size();
   const int edge = input.rear_edge < 0 ? hindmost_edge(n) : input.rear_edge;
   const LegId a = leg_at(edge, n), b = leg_at((edge + 1) % n, n);
-  const double period =
-      std::min(stepper.longest_step(), params.longest_step) / (1.0 - params.duty_factor);
+  const double period = stepper.period(params);
   LegSet legs = input.may_step;
   if (waits(stepper, a, b, input.time, period)) legs.erase(a);
   if (waits(stepper, b, a, input.time, period)) legs.erase(b);

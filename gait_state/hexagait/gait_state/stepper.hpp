@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <hexagait/gait_state/gait_state.hpp>
 #include <limits>
@@ -59,8 +60,16 @@ struct Stepper {
   /// @returns the legs that lift now; they are assumed to do so
   [[nodiscard]] LegSet update(const StepperInput& input, const StepperParams& params) noexcept;
 
-  /// T of (gait 5).
+  /// T of (gait 5) without its bound.
   [[nodiscard]] double longest_step() const noexcept;
+  /// T of (gait 5).
+  [[nodiscard]] double longest_step(const StepperParams& params) const noexcept {
+    return std::min(longest_step(), params.longest_step);
+  }
+  /// P of (gait 5).
+  [[nodiscard]] double period(const StepperParams& params) const noexcept {
+    return longest_step(params) / (1.0 - params.duty_factor);
+  }
 };
 
 /// The ring edge between the two legs of the last pair: of six legs 4 and 5 (5 and 6 in [PC04]).

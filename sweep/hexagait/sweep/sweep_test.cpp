@@ -20,7 +20,7 @@ TEST(Row, OfARobotThatIsStuckSaysForWhichLegItWaits) {
   config.engine = Engine::ode;
   config.controller = *gait_state::parse_gait_choice("free");
   config.robot = &robot;
-  config.terrain = "cliff:1.5";
+  config.terrain = "cliff:2.0";
   config.limits.distance = 3.0;
   const std::string row = run(config);
   EXPECT_THAT(row, testing::StartsWith("stuck,leg ")) << row;

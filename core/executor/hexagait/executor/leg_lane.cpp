@@ -79,17 +79,35 @@ void support(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB
   }
 }
 
-void unload(LegLane& lane, double dt, const Pose& X_OB, const SwingParams& params) {
+// Height of the foot, wherever its set point is.
+double foot_height(const LegLane& lane, const LegSensed& sensed, const Pose& X_OB) {
+  return height_of(lane, X_OB) + X_OB.R.row(2).dot(sensed.off);
+}
+
+// A foot that still touches above where it stood rises along a wall: it stops pushing against it, or it would
+// push the robot over.
+void stop_leaning(LegLane& lane, const LegSensed& sensed, const Pose& X_OB,
+                  const SwingParams& params) {
+  const double risen = foot_height(lane, sensed, X_OB) - lane.stood_at;
+  if (!sensed.contact || risen < params.touchdown_margin) return;
+  const Vector3 up_B = X_OB.R.row(2);
+  lane.p_BF += sensed.off - up_B.dot(sensed.off) * up_B;
+}
+
+void unload(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
+            const SwingParams& params) {
   ramp(lane.load, 0.0, dt, params.unload_time);
   if (lane.load > 0.0) return;
   if (lane.after_unload != LegPhase::lift) return enter(lane, lane.after_unload);
   rise_from_here(lane, X_OB);
+  lane.stood_at = foot_height(lane, sensed, X_OB);
   lane.apex_z = std::max(lane.p_OL.z(), lane.step.p_OT.z()) + lane.step.profile_height;
   enter(lane, LegPhase::lift);
 }
 
 Vector3 swing(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
               const SwingParams& params) {
+  if (lane.phase == LegPhase::lift) stop_leaning(lane, sensed, X_OB, params);
   const double height = height_of(lane, X_OB);
   const Vector2 way = way_to_go(lane, X_OB);
   // What happens between two ticks counts in the tick that is nearer to it: half a tick ahead.
@@ -310,7 +328,7 @@ void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt
     case LegPhase::support:
       return support(lane, sensed, dt, X_OB, params);
     case LegPhase::unload:
-      return unload(lane, dt, X_OB, params);
+      return unload(lane, sensed, dt, X_OB, params);
     case LegPhase::lift:
     case LegPhase::transfer:
       way_O = swing(lane, sensed, dt, X_OB, params);

@@ -48,6 +48,7 @@ struct LegLane {
   Vector2 back_O = Vector2::Zero();  ///< where a retreat goes, odom [m]
   double transfer_clock = 0.0;       ///< time since the sideways motion began [s]
   double rises_from = 0.0;           ///< height at which the rise began, odom [m]
+  double stood_at = 0.0;             ///< height of the foot itself when it was unloaded, odom [m]
   double apex_z = 0.0;               ///< height of the apex, odom [m]
   bool cleared = false;              ///< contact has been lost since the lift
   int retreats = 0;                  ///< tries of this step that failed

@@ -44,6 +44,34 @@ TEST(Swing, GoesBackAndUpWhenItHitsSomethingAndOverItAtTheNextTry) {
   EXPECT_NEAR(swing.foot().z(), 0.12, 1e-3);
 }
 
+// The foot stands against a wall, and its set point is 1 cm inside. Once it has risen along it, it is pushed no more.
+TEST(Swing, StopsPushingAgainstAWallThatItRisesAlong) {
+  const Pose tilted{rotation(Vector3(0.1, -0.5, 0.7)), {1.0, -2.0, 0.6}};
+  const Vector3 stands(1.3, -1.6, 0.0), inside = stands + Vector3(0.006, -0.008, -0.004);
+  for (const bool wall : {true, false}) {
+    const SwingParams params = testing::round_params().swing;
+    LegLane lane;
+    lane.p_BF = tilted.inverse() * inside;
+    command(lane, {0, stands + Vector3(0.2, 0.0, 0.0), 0.1}, tilted);
+    for (int k = 0; k < 500 && lane.phase != LegPhase::transfer; ++k) {
+      const Vector3 set_point = tilted * lane.p_BF;
+      const double z = std::max(0.0, set_point.z()), risen = z - stands.z();
+      const Vector3 foot(stands.x(), stands.y(), z);
+      const double push = (set_point - foot).head<2>().norm();
+      if (risen < params.touchdown_margin) {
+        EXPECT_NEAR(push, 0.01, 1e-9) << "as it stood";
+      }
+      if (wall && risen > params.touchdown_margin + 0.002) {
+        EXPECT_LT(push, 1e-9) << risen;
+      }
+      const Vector3 off = tilted.R.transpose() * (foot - set_point);
+      const bool contact = wall ? risen < 0.02 : risen <= 0.0;
+      advance(lane, {.contact = contact, .off = off}, tilted, kDt, params);
+    }
+    ASSERT_EQ(lane.phase, LegPhase::transfer);
+  }
+}
+
 // The third and fourth retreat take the apex up by twice as much: a wall so high may be higher still.
 TEST(Swing, RisesByMoreFromTheThirdCollisionOn) {
   Swing swing;

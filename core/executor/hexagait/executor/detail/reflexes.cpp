@@ -66,7 +66,7 @@ void climb_out(LegLane& lane, const LegSensed& sensed, const Pose& X_OB) noexcep
   enter(lane, LegPhase::lift);
   let_go(lane, sensed);
   lane.found_no_ground = true;
-  lane.rises_from = height_of(lane, X_OB);
+  lane.rises_from = lane.stood_at = height_of(lane, X_OB);
   ++lane.retreats;
   lane.reach_fraction = 1.0;
   lane.beside = 0.0;

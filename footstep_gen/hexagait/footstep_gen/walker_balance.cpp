@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <hexagait/footstep_gen/detail/stance_from_above.hpp>
+#include <hexagait/footstep_gen/walker.hpp>
+
+/// Which legs of a Walker may lift, for balance, and where its body goes for those that wait.
+namespace hexagait::footstep_gen {
+namespace {
+
+constexpr double kLevel = 0.5;  // of the step height: prints that differ by less
+
+}  // namespace
+
+double Walker::last_lift() const noexcept {
+  return *std::ranges::max_element(memory_.stepper.lifted_at);
+}
+
+// On about level ground legs lift one after the other: pairs that lift together stop the base between their
+// steps. On rough ground no time is given away.
+bool Walker::one_at_a_time() const noexcept {
+  return !lost_legs().empty() && print_spread_ <= kLevel * params_.step.height;
+}
+
+// (lost 2)
+bool Walker::too_soon() const noexcept {
+  return one_at_a_time() && time() - last_lift() < lift_spacing(memory_.stepper.step_time,
+                                                                lost_legs(), ring().size() / 2);
+}
+
+// (balance 1)
+Walker::AskedBalance Walker::asked_balance() const noexcept {
+  const double margin = params_.step.stability_margin;
+  if (!lost_legs().empty()) return {.margin = margin, .beyond = 2.0, .steps = 2.0};
+  if (record_.very_rough) return {.margin = 3.0 * margin, .beyond = 1.0, .steps = 4.0};
+  return {};
+}
+
+// All of the margin at first; who waits for it for long does without.
+double Walker::balance_margin() const noexcept {
+  const AskedBalance asked = asked_balance();
+  const double waited = time() - std::max(last_lift(), balance_.since);
+  const double step = memory_.stepper.longest_step(gait_here());
+  const double left = asked.steps * step - waited;
+  return left > 0.0 ? asked.margin * std::min(1.0, left / step) : 0.0;
+}
+
+LegSet Walker::steady(LegSet legs) const noexcept {
+  if (crawls()) return legs;
+  legs = without(legs, record_.escape.held);
+  if (too_soon()) return {};
+  const auto [feet, p_M] = stance_from_above(executor_, record_.state.X_OB.R);
+  const LegSet lifts =
+      steady_lifts(feet, p_M, executor_.support(), legs, record_.gait_input.lag, balance_margin());
+  if (!one_at_a_time() || lifts.empty()) return lifts;
+  return LegSet(1U << hindmost(lifts, record_.gait_input.lag));
+}
+
+// Rule 1.
+LegSet Walker::may_crawl() const noexcept {
+  if (!record_.heading.moving()) return {};
+  const int n = model_->num_legs();
+  const LegSet support = executor_.support();
+  return without(support, gait_state::neighbours_of(without(LegSet::all(n), support), ring()));
+}
+
+LiftGateDecision Walker::gate() noexcept {
+  const int n = model_->num_legs();
+  const Matrix3& R_OB = record_.state.X_OB.R;
+  const Vector2 path = record_.arc.per_metre.v;
+  const auto [feet, p_M] = stance_from_above(executor_, R_OB);
+  LiftGateInput in{.feet = feet,
+                   .p_M = p_M,
+                   .support = executor_.support(),
+                   .may_step = may_crawl(),
+                   .lag = record_.gait_input.lag,
+                   .along = LegArray<double>(n, 0.0),
+                   .path = (R_OB * Vector3(path.x(), path.y(), 0.0)).head<2>(),
+                   .margin = params_.step.lift_margin};
+  for (LegId i = 0; i < n; ++i)
+    in.along[i] = record_.arc.direction[i].dot(stance().p_BC[i].head<2>());
+  LiftGateDecision decision = gate_.update(in);
+  decision.sway = R_OB.topLeftCorner<2, 2>().transpose() * decision.sway;
+  return decision;
+}
+
+void Walker::wait_for_balance() noexcept {
+  // Whose turn to lift has not come yet does not wait for balance.
+  if (too_soon()) record_.waits = {};
+  balance_.update({.time = time(),
+                   .last_lift = last_lift(),
+                   .patience = asked_balance().steps * memory_.stepper.longest_step(),
+                   .waits = record_.waits,
+                   .support = executor_.support(),
+                   .ring = ring()});
+}
+
+// Displacement of the body after which the waiting leg that lags most may lift.
+Vector2 Walker::way_for_waiting() const noexcept {
+  const LegId next = hindmost(record_.waits, record_.gait_input.lag);
+  const Matrix3& R_OB = record_.state.X_OB.R;
+  const auto [feet, p_M] = stance_from_above(executor_, R_OB);
+  const LegSet rest = without(executor_.support(), LegSet(1U << next));
+  const AskedBalance asked = asked_balance();
+  return R_OB.topLeftCorner<2, 2>().transpose() *
+         way_over(feet, p_M, rest, asked.beyond * asked.margin);
+}
+
+}  // namespace hexagait::footstep_gen
