@@ -21,7 +21,7 @@ struct Claimed {
 constexpr double kMargin = -3.0;  // those points at least
 constexpr double kRounding = 1e-9;
 constexpr Bound kHolds{};
-constexpr Claimed kClaims[] = {{0.15, 100.0, {98.0, 99.9}, kHolds},
+constexpr Claimed kClaims[] = {{0.15, 100.0, kHolds, kHolds},
                                {0.20, 99.0, {96.0, 98.9}, {-10.0, -3.1}},
                                {0.25, 97.0, {90.0, 96.9}, kHolds},
                                {0.30, 85.0, {75.0, 84.9}, {-20.0, -3.1}}};
