@@ -34,10 +34,11 @@ namespace hexagait::footstep_gen::testing {
 
 /// A robot on the plane z = 0, or over other ground, that follows its commands exactly: joints are at
 /// their targets one period later, and the body moves with the executor's twist. A foot has contact
-/// when it reaches the ground below it, until it is a millimetre above that.
+/// when it reaches the ground below it, until it is `lift_off` above that.
 struct KinematicPlant {
   const RobotModel* model;
   double (*ground)(const Vector2& p_O) = [](const Vector2&) { return 0.0; };  ///< its height [m]
+  double lift_off = 5e-4;                                                     ///< [m]
   Pose X_OB;
   Measurement measurement;
 
@@ -64,7 +65,7 @@ struct KinematicPlant {
     for (LegId i = 0; i < model->num_legs(); ++i) {
       const Vector3 p_OF = foot(i);
       const double z = p_OF.z() - model->foot_radius - ground(p_OF.head<2>());
-      measurement.contact[i] = z <= (measurement.contact[i] ? 1e-3 : 0.0);
+      measurement.contact[i] = z <= (measurement.contact[i] ? lift_off : 0.0);
     }
   }
 

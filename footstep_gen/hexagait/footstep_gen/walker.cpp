@@ -383,9 +383,9 @@ StepParams Walker::steps_here() const noexcept {
 double Walker::share_to_come(LegId leg) const noexcept {
   if (gait_here().stepping != gait_state::Stepping::wave || !lost_legs().empty()) return 1.0;
   const gait_state::Stepper& stepper = memory_.stepper;
-  const double last_lift = *std::ranges::max_element(stepper.lifted_at);
-  const double last_left = last_lift + stepper.longest_step(gait_here()) - time();
-  const double left = last_left - (last_lift - stepper.lifted_at[leg]);
+  const double last = last_lift();
+  const double last_left = last + stepper.longest_step(gait_here()) - time();
+  const double left = last_left - (last - stepper.lifted_at[leg]);
   return left > 0.0 ? left / last_left : 0.0;
 }
 

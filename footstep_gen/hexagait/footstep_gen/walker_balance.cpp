@@ -28,7 +28,8 @@ bool Walker::too_soon() const noexcept {
                                                                 lost_legs(), ring().size() / 2);
 }
 
-// (balance 1)
+// (balance 1). With a leg lost a leg may wait where all stand and nothing else moves the body, which goes farther
+// than it must then: the last of the way is slow.
 Walker::AskedBalance Walker::asked_balance() const noexcept {
   const double margin = params_.step.stability_margin;
   if (!lost_legs().empty()) return {.margin = margin, .beyond = 2.0, .steps = 2.0};

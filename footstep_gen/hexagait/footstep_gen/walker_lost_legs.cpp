@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <cmath>
 #include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/footstep_gen/detail/stance_from_above.hpp>
