@@ -84,14 +84,18 @@ double foot_height(const LegLane& lane, const LegSensed& sensed, const Pose& X_O
   return height_of(lane, X_OB) + X_OB.R.row(2).dot(sensed.off);
 }
 
+// The set point goes to where the foot is, across gravity.
+void stop_pushing(LegLane& lane, const LegSensed& sensed, const Pose& X_OB) {
+  const Vector3 up_B = X_OB.R.row(2);
+  lane.p_BF += sensed.off - up_B.dot(sensed.off) * up_B;
+}
+
 // A foot that still touches above where it stood rises along a wall: it stops pushing against it, or it would
 // push the robot over.
 void stop_leaning(LegLane& lane, const LegSensed& sensed, const Pose& X_OB,
                   const SwingParams& params) {
   const double risen = foot_height(lane, sensed, X_OB) - lane.stood_at;
-  if (!sensed.contact || risen < params.touchdown_margin) return;
-  const Vector3 up_B = X_OB.R.row(2);
-  lane.p_BF += sensed.off - up_B.dot(sensed.off) * up_B;
+  if (sensed.contact && risen >= params.touchdown_margin) stop_pushing(lane, sensed, X_OB);
 }
 
 void unload(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
@@ -224,6 +228,13 @@ Vector3 search(LegLane& lane, const LegSensed& sensed, double dt, const SwingPar
 
 Vector3 step_back(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
                   const SwingParams& params) {
+  // A wall behind it, or a shin that is caught: it only goes up.
+  if (sensed.tracking_error > params.blocked_error) {
+    stop_pushing(lane, sensed, X_OB);
+    lane.back_O = (X_OB * lane.p_BF).head<2>();
+    lane.v_O.head<2>().setZero();
+    lane.a_O.head<2>().setZero();
+  }
   const Vector2 way = lane.back_O - (X_OB * lane.p_BF).head<2>();
   const double T = params.retreat_time - (lane.time - dt);
   Vector3 way_O = Vector3::Zero();
