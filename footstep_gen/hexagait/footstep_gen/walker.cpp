@@ -18,7 +18,6 @@ constexpr double kPatience = 1.5;    // of a step all tries of which fail: then 
 constexpr double kMostToCome = 1.0;  // of half a step
 constexpr double kMostLean = 0.5;    // of the smallest workspace radius
 constexpr double kLeanRate = 3.0;    // of the rate at which the body tilts
-constexpr double kHole = 0.5, kBeside = 1.0;  // of the workspace radius
 constexpr double kHastyLag = 0.1;  // of the time of a lift: drives that are prompt enough for haste
 
 void check_stepping(Violations& violations, const gait_state::StepperParams& stepper) {
@@ -301,26 +300,6 @@ void Walker::decide() noexcept {
   record_.waits = decision.waits;
   record_.rule1_violations = decision.rule1_violations;
   if (!lost_legs().empty() && !crawls()) wait_for_balance();
-}
-
-// A robot that does not get on in spite of what it knows begins anew.
-void Walker::learn_holes() noexcept {
-  if (record_.escape.phase == EscapePhase::moves) holes_ = {};
-  for (const LegLane& lane : executor_.legs())
-    if (lane.found_no_ground) holes_.add((record_.state.X_OB * lane.p_BF).head<2>());
-}
-
-// (step 5)
-void Walker::keep_clear_of_holes(FootstepCommand& step, double to_come) const noexcept {
-  step.depth.at_end = params_.step.max_height;
-  if (holes_.empty()) return;
-  const LegId i = step.leg;
-  const double radius = executor_.stance().radius[i];
-  const Vector3 end_O = record_.state.X_OB * aep(record_.arc, i, radius + to_come);
-  const Foothold place = clear_of(holes_, record_.state.print_O[i].head<2>(), step.p_OT.head<2>(),
-                                  end_O.head<2>(), kHole * radius);
-  step.p_OT.head<2>() = place.p_O;
-  if (place.off < kBeside * radius) step.depth.beside_hole = params_.step.height;
 }
 
 void Walker::command() noexcept {

@@ -141,9 +141,13 @@ PathTask task_of(path_following::Path path, const RobotModel& robot, const StepP
 }
 
 PathTask load_path(const std::string& file, const RobotModel& robot, const StepParams& step) {
+  return parse_path(read_text(file, kMaxYamlText, "a YAML file of a path"), file, robot, step);
+}
+
+PathTask parse_path(const std::string& text, const std::string& file, const RobotModel& robot,
+                    const StepParams& step) {
   Violations violations(file);
-  const YamlTree tree =
-      parse_yaml(read_text(file, kMaxYamlText, "a YAML file of a path"), file, violations);
+  const YamlTree tree = parse_yaml(text, file, violations);
   YamlReader yaml(tree, violations);
   const YamlNode& root = yaml.node(0);
   if (!root.is_map())

@@ -21,10 +21,14 @@ namespace hexagait::walk {
 ///
 /// as a task for a robot: one lap, with the look-ahead of its stroke. A robot with legs of two joints, which
 /// can't crab, follows it as a car.
-/// @param stroke  of the robot's steps [m]
+/// @param step  of the robot's steps: the stroke is its look-ahead [m]
 /// @throws InvalidInput  with file, line, value and what would be right, for everything that is wrong
 [[nodiscard]] path_following::PathTask load_path(const std::string& file, const RobotModel& robot,
                                                  const StepParams& step);
+
+/// The same of a text. @param file  its name, for what is wrong
+[[nodiscard]] path_following::PathTask parse_path(const std::string& text, const std::string& file,
+                                                  const RobotModel& robot, const StepParams& step);
 
 /// The same of a path that there is already, and that is none from a file.
 /// @pre path_following::faults_of() finds none in it

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 #include <hexagait/params/params_for.hpp>
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/urdf.hpp>
@@ -26,18 +24,8 @@ const RobotModel& robot(const char* name) {
   return robots[name];
 }
 
-// Of this process alone: ctest runs several tests at the same time.
-struct Scratch {
-  std::string file =
-      testing::TempDir() + "hexagait_path_file_test_" + std::to_string(getpid()) + ".yaml";
-
-  explicit Scratch(const std::string& text) { std::ofstream(file) << text; }
-  ~Scratch() { std::filesystem::remove(file); }
-};
-
 PathTask loaded(const std::string& text, const char* name = "argos") {
-  const Scratch scratch(text);
-  return load_path(scratch.file, robot(name), params_for(robot(name)).step);
+  return parse_path(text, "path.yaml", robot(name), params_for(robot(name)).step);
 }
 
 // What is wrong, line by line.
@@ -81,7 +69,7 @@ TEST(PathFile, ChoosesHowToFaceByWhatItSaysAndTheRobot) {
 }
 
 TEST(PathFile, NamesFileLineAndValueOfWhatIsWrong) {
-  const std::string file = Scratch("").file + ":";
+  const std::string file = "path.yaml:";
   EXPECT_THAT(problem("points: [[0, 0], [1, nan]]"), HasSubstr(file + "1:22: points: 'nan'"));
   EXPECT_THAT(problem("points:\n  - [0, 0]\n  - [1, two]\n"),
               HasSubstr(file + "3:9: points: 'two'"));

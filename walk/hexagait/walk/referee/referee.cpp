@@ -226,7 +226,9 @@ Hindrance Referee::hindrance(const TickRecord& record) const {
   const int no_ground = is_off ? 0 : no_ground_[searching];
   const LegId leg = is_off ? off : no_ground > 0 ? searching : most(not_stepping_);
   const LegLane& lane = record.legs[leg];
-  return {leg, no_ground > 0 ? LegPhase::descend : lane.phase,
+  // Of a leg that touches for an instant and does not stand.
+  const bool finds_none = no_ground > 0 || (is_off && lane.phase == LegPhase::support);
+  return {leg, finds_none ? LegPhase::descend : lane.phase,
           is_off ? not_standing_[leg] : not_stepping_[leg], lane.retreats, no_ground};
 }
 

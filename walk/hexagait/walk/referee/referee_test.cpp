@@ -207,6 +207,24 @@ TEST(Referee, NamesTheLegThatFoundNoGround) {
   EXPECT_NE(cause_in_words(why, HandMadeWalk::six_legs()).find("no ground"), std::string::npos);
 }
 
+// Whatever phase the last tick found it in; one that touches for an instant and is not confirmed does not stand.
+TEST(Referee, SaysThatALegIsOffTheGroundOrDoesNotStep) {
+  for (const LegPhase last : {LegPhase::lift, LegPhase::support}) {
+    HandMadeWalk walk;
+    walk.record.legs[2].phase = last;
+    walk.record.legs[2].confirmed = false;
+    walk.record.legs[2].retreats = 1;
+    for (int k = 0; !walk.referee.summary().stuck && k < 10000; ++k) walk.tick();
+    EXPECT_THAT(cause_in_words(walk.referee.summary().hindrance, HandMadeWalk::six_legs()),
+                ::testing::MatchesRegex(
+                    "leg .* has been off the ground for 10.0 s, after a try that failed: .*"));
+  }
+  HandMadeWalk all_stand;
+  for (int k = 0; !all_stand.referee.summary().stuck && k < 10000; ++k) all_stand.tick();
+  EXPECT_THAT(cause_in_words(all_stand.referee.summary().hindrance, HandMadeWalk::six_legs()),
+              ::testing::MatchesRegex("leg .* has not stepped for .* s: a neighbour .*"));
+}
+
 TEST(Referee, SaysForHowLongTheGroundWasVeryRough) {
   HandMadeWalk walk;
   walk.tick(100);

@@ -31,7 +31,7 @@ Advice advice(LegPhase phase) {
               "ground"};
     case LegPhase::support:
       return {
-          "it stands and does not step: a neighbour is off the ground, or the base does not move",
+          "a neighbour is off the ground, or the base does not move",
           "a lower threshold of the contact sensors (--set plant.contact_threshold=…), a shorter "
           "stroke (--set step.stroke=…) or a smaller --set step.stability_margin=…"};
     case LegPhase::follow:
@@ -49,11 +49,15 @@ std::string cause_in_words(const Hindrance& hindrance, const RobotModel& robot) 
         "leg {} has reached down in vain {}: {}", robot.legs[hindrance.leg].name,
         hindrance.no_ground == 1 ? "once" : fmt::format("{} times", hindrance.no_ground),
         advice(hindrance.phase).what);
-  const std::string collisions =
-      hindrance.retreats > 0 ? fmt::format(", after {} collisions", hindrance.retreats) : "";
-  return fmt::format("leg {} has been in {} for {:.1f} s{}: {}", robot.legs[hindrance.leg].name,
-                     to_string(hindrance.phase), hindrance.seconds, collisions,
-                     advice(hindrance.phase).what);
+  std::string tries;
+  if (hindrance.retreats > 0)
+    tries = hindrance.retreats == 1
+                ? ", after a try that failed"
+                : fmt::format(", after {} tries that failed", hindrance.retreats);
+  const bool stands = hindrance.phase == LegPhase::support;
+  return fmt::format("leg {} has {} for {:.1f} s{}: {}", robot.legs[hindrance.leg].name,
+                     stands ? "not stepped" : "been off the ground", hindrance.seconds,
+                     stands ? "" : tries, advice(hindrance.phase).what);
 }
 
 std::string in_words(const Hindrance& hindrance, const RobotModel& robot) {

@@ -15,13 +15,13 @@ namespace hexagait::walk {
 /// What a robot that is stuck waits for.
 struct Hindrance {
   LegId leg = 0;
-  LegPhase phase = LegPhase::support;  ///< in which it is, or found no ground
+  LegPhase phase = LegPhase::support;  ///< in which it is; of one that finds no ground, descend
   double seconds = 0.0;                ///< since it last stood; of a leg that stands, lifted [s]
-  int retreats = 0;                    ///< collisions in its present step
+  int retreats = 0;                    ///< tries of its present step that failed
   int no_ground = 0;                   ///< how often it found no ground since the robot last got on
 };
 
-/// "leg LF has been in descend for 4.2 s: it finds no ground, …".
+/// "leg LF has been off the ground for 4.2 s: it finds no ground, …".
 [[nodiscard]] std::string cause_in_words(const Hindrance& hindrance, const RobotModel& robot);
 
 /// The same, and what may help.
