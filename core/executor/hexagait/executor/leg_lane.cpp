@@ -226,15 +226,23 @@ Vector3 search(LegLane& lane, const LegSensed& sensed, double dt, const SwingPar
   return dt * before + change * (along.way / size);
 }
 
+// A wall behind it, or a shin that is caught: it only goes up, and pulls no harder than what counts as blocked, or
+// the robot would be thrown over.
+void give_way(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, const SwingParams& params) {
+  stop_pushing(lane, sensed, X_OB);
+  lane.back_O = (X_OB * lane.p_BF).head<2>();
+  lane.v_O.head<2>().setZero();
+  lane.a_O.head<2>().setZero();
+  const Vector3 up_B = X_OB.R.row(2);
+  const double too_high = -up_B.dot(sensed.off) - params.blocked_error;
+  if (too_high <= 0.0) return;
+  lane.p_BF -= too_high * up_B;
+  lane.v_O.z() = lane.a_O.z() = 0.0;
+}
+
 Vector3 step_back(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
                   const SwingParams& params) {
-  // A wall behind it, or a shin that is caught: it only goes up.
-  if (sensed.tracking_error > params.blocked_error) {
-    stop_pushing(lane, sensed, X_OB);
-    lane.back_O = (X_OB * lane.p_BF).head<2>();
-    lane.v_O.head<2>().setZero();
-    lane.a_O.head<2>().setZero();
-  }
+  if (sensed.tracking_error > params.blocked_error) give_way(lane, sensed, X_OB, params);
   const Vector2 way = lane.back_O - (X_OB * lane.p_BF).head<2>();
   const double T = params.retreat_time - (lane.time - dt);
   Vector3 way_O = Vector3::Zero();

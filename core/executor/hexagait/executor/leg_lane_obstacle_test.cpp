@@ -72,30 +72,34 @@ TEST(Swing, StopsPushingAgainstAWallThatItRisesAlong) {
   }
 }
 
-// A wall behind the foot as well: where it can't go back it goes up, and does not push.
-TEST(Swing, DoesNotPushWhatIsBehindItAsItGoesBack) {
+// A wall behind the foot as well: where it can't go back it goes up, and does not push. Where it can't go up either, since
+// its shin is caught, it does not pull.
+TEST(Swing, NeitherPushesNorPullsWhatHoldsItAsItGoesBack) {
   const SwingParams params = testing::round_params().swing;
   const Vector3 hit = kStart + 0.1 * (kTarget - kStart) / kStride + Vector3(0.0, 0.0, 0.05);
-  LegLane lane;
-  lane.p_BF = kBody.inverse() * kStart;
-  command(lane, {0, kTarget, 0.1}, kBody);
-  lane.phase = LegPhase::retreat;
-  lane.time = 0.0;
-  lane.p_BF = kBody.inverse() * hit;
-  lane.back_O = (hit - params.retreat_back * (kTarget - kStart) / kStride).head<2>();
-  lane.apex_z = 0.15;
-  double most = 0.0;
-  for (int k = 0; k < 500 && lane.phase == LegPhase::retreat; ++k) {
-    const Vector3 set_point = kBody * lane.p_BF;
-    const Vector3 foot(hit.x(), hit.y(), set_point.z());
-    const Vector3 off = kBody.R.transpose() * (foot - set_point);
-    most = std::max(most, off.norm());
-    advance(lane, {.tracking_error = off.norm(), .off = off}, kBody, kDt, params);
+  for (const bool rises : {true, false}) {
+    LegLane lane;
+    lane.p_BF = kBody.inverse() * kStart;
+    command(lane, {0, kTarget, 0.1}, kBody);
+    lane.phase = LegPhase::retreat;
+    lane.time = 0.0;
+    lane.p_BF = kBody.inverse() * hit;
+    lane.back_O = (hit - params.retreat_back * (kTarget - kStart) / kStride).head<2>();
+    lane.apex_z = 0.15;
+    double most = 0.0;
+    for (int k = 0; k < 500 && lane.phase == LegPhase::retreat; ++k) {
+      const Vector3 set_point = kBody * lane.p_BF;
+      const Vector3 foot(hit.x(), hit.y(), rises ? set_point.z() : hit.z());
+      const Vector3 off = kBody.R.transpose() * (foot - set_point);
+      most = std::max(most, off.norm());
+      advance(lane, {.tracking_error = off.norm(), .off = off}, kBody, kDt, params);
+    }
+    ASSERT_EQ(lane.phase, LegPhase::transfer);
+    EXPECT_LT(most, 1.2 * params.blocked_error) << rises;
+    EXPECT_LT(most, 0.5 * params.retreat_back) << rises;
+    const double z = (kBody * lane.p_BF).z();
+    EXPECT_NEAR(z, rises ? 0.15 : hit.z(), rises ? 1e-3 : 1.2 * params.blocked_error) << rises;
   }
-  ASSERT_EQ(lane.phase, LegPhase::transfer);
-  EXPECT_LT(most, 1.2 * params.blocked_error);
-  EXPECT_LT(most, 0.5 * params.retreat_back);
-  EXPECT_NEAR((kBody * lane.p_BF).z(), 0.15, 1e-3);
 }
 
 // The third and fourth retreat take the apex up by twice as much: a wall so high may be higher still.
