@@ -57,6 +57,7 @@ TEST_F(Cli, PrintsOneJsonObjectWithEveryResult) {
                           "leg_touch_s",
                           "contact_losses",
                           "fell",
+                          "fell_because",
                           "stuck",
                           "arrived",
                           "fault",

@@ -146,6 +146,7 @@ std::string in_words(const WalkReport& report) {
                     std::abs(degrees(s.odometry_heading))));
   }
   if (s.path) add_path(text, report.simulation.trial, *s.path);
+  if (s.fell) add(text, "fell", fall_in_words(s));
   if (!report.hindrance.empty()) add(text, "stuck", report.hindrance);
   for (const std::string& found : report.found) add(text, "found", found);
   if (report.simulation.plant.name != "ideal") add(text, "plant", report.simulation.plant.name);

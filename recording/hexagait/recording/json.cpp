@@ -149,6 +149,8 @@ Json results(const walk::Summary& s) {
 
 Json results(const WalkReport& report) {
   Json json = results(report.summary);
+  json["fell_because"] =
+      report.summary.fell ? Json(walk::fall_in_words(report.summary)) : Json(nullptr);
   json["stuck_because"] = report.hindrance.empty() ? Json(nullptr) : Json(report.hindrance);
   json["found"] = report.found;
   if (!report.side_view) return json;

@@ -105,14 +105,18 @@ std::string cell(std::string_view text) {
 }
 
 // The cells of these columns; `own` are those of one simulator, with commas between them.
-// @param hindrance  why it got stuck, if it did
+// @param hindrance  why it is stuck, if it is
 std::string walk_row(const walk::Summary& s, const Limits& limits, const std::string& hindrance,
                      const std::string& own) {
   const bool fault = s.fault != footstep_gen::Fault::none;
   const Outcome end = outcome(s, limits);
-  const std::string_view why = fault                   ? footstep_gen::to_string(s.fault)
-                               : end == Outcome::stuck ? std::string_view(hindrance)
-                                                       : std::string_view();
+  std::string why;
+  if (fault)
+    why = footstep_gen::to_string(s.fault);
+  else if (end == Outcome::stuck)
+    why = hindrance;
+  else if (end == Outcome::fell)
+    why = fall_in_words(s);
   return fmt::format("{},{},{},{:d},{},{:d},{:d},{},{},{},{},{},{},{:016x}", to_string(end),
                      cell(why), s.speed, to_the_end(end), arrived(s, limits), s.fell, s.stuck,
                      s.seconds, s.distance, s.steps, optional(s.tripod_after_steps), own,

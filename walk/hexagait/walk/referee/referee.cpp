@@ -122,8 +122,11 @@ void Referee::watch_posture(const GroundTruth& truth) {
   summary_.pitch_max = std::max(summary_.pitch_max, std::abs(rpy.y()));
   summary_.height_min = std::min(summary_.height_min, truth.X_WB.p.z());
   summary_.height_max = std::max(summary_.height_max, truth.X_WB.p.z());
-  summary_.fell = summary_.fell || !truth.finite || truth.base_touches_ground ||
-                  std::abs(rpy.x()) > kFallTilt || std::abs(rpy.y()) > kFallTilt;
+  const double tilt = truth.finite ? std::max(std::abs(rpy.x()), std::abs(rpy.y()))
+                                   : std::numeric_limits<double>::quiet_NaN();
+  const bool falls = !truth.finite || truth.base_touches_ground || tilt > kFallTilt;
+  if (falls && !summary_.fell) summary_.fall_tilt = tilt;
+  summary_.fell = summary_.fell || falls;
 
   LegArray<Vector3> p_WF(model_->num_legs());
   for (LegId i = 0; i < model_->num_legs(); ++i) p_WF[i] = truth.feet[i].p_WF;

@@ -8,7 +8,6 @@
 #include <hexagait/walk/referee/path_judge.hpp>
 #include <hexagait/walk/referee/reference_path.hpp>
 #include <hexagait/walk/referee/summary.hpp>
-#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -16,9 +15,6 @@ namespace hexagait::walk {
 
 using gait_state::first_tripod_gait;
 using gait_state::TimedLift;
-
-/// A base that tilts by more than this has fallen [rad].
-inline constexpr double kFallTilt = std::numbers::pi / 3.0;
 
 /// Judges a walk by ground truth, tick by tick. Sees what the controller can't, and tells it
 /// nothing.

@@ -225,6 +225,24 @@ TEST(Referee, SaysThatALegIsOffTheGroundOrDoesNotStep) {
               ::testing::MatchesRegex("leg .* has not stepped for .* s: a neighbour .*"));
 }
 
+TEST(Referee, SaysHowTheRobotFell) {
+  HandMadeWalk hit, toppled;
+  hit.tick(10);
+  hit.truth.X_WB.R = rotation(Vector3(0.0, 0.05, 0.0));
+  hit.truth.base_touches_ground = true;
+  hit.tick();
+  hit.truth.X_WB.R = rotation(Vector3(0.0, 0.5, 0.0));
+  hit.tick();
+  EXPECT_EQ(fall_in_words(hit.referee.summary()), "its body touched the ground, tilted by 3°")
+      << "as it was at first";
+  toppled.truth.X_WB.R = rotation(Vector3(-1.1, 0.0, 0.0));
+  toppled.tick();
+  EXPECT_EQ(fall_in_words(toppled.referee.summary()), "its body tilted by 63°");
+  HandMadeWalk stands;
+  stands.tick();
+  EXPECT_TRUE(std::isnan(stands.referee.summary().fall_tilt));
+}
+
 TEST(Referee, SaysForHowLongTheGroundWasVeryRough) {
   HandMadeWalk walk;
   walk.tick(100);

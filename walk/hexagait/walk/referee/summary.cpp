@@ -60,6 +60,14 @@ std::string cause_in_words(const Hindrance& hindrance, const RobotModel& robot) 
                      stands ? "" : tries, advice(hindrance.phase).what);
 }
 
+std::string fall_in_words(const Summary& summary) {
+  if (!std::isfinite(summary.fall_tilt)) return "its simulated state is not finite";
+  const double degrees = summary.fall_tilt * 180.0 / std::numbers::pi;
+  return summary.fall_tilt > kFallTilt
+             ? fmt::format("its body tilted by {:.0f}°", degrees)
+             : fmt::format("its body touched the ground, tilted by {:.0f}°", degrees);
+}
+
 std::string in_words(const Hindrance& hindrance, const RobotModel& robot) {
   return fmt::format("{}; what may help: {}", cause_in_words(hindrance, robot),
                      advice(hindrance.phase).help);

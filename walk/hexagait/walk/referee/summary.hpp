@@ -6,11 +6,15 @@
 #include <hexagait/footstep_gen/tick_record.hpp>
 #include <hexagait/walk/referee/path_judge.hpp>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace hexagait::walk {
+
+/// A base that tilts by more than this has fallen [rad].
+inline constexpr double kFallTilt = std::numbers::pi / 3.0;
 
 /// What a robot that is stuck waits for.
 struct Hindrance {
@@ -32,6 +36,10 @@ struct Hindrance {
 [[nodiscard]] std::string in_words(const footstep_gen::Escape& escape, const RobotModel& robot);
 
 struct Summary;
+
+/// "its body touched the ground, tilted by 3°": it stood over something that no foot had met, or toppled.
+/// @pre it fell
+[[nodiscard]] std::string fall_in_words(const Summary& summary);
 
 /// What the controller found out about its legs and the ground, and did about it, a sentence each; empty:
 /// nothing.
@@ -92,6 +100,8 @@ struct Summary {
   footstep_gen::Escape escape;         ///< the last of them, or that it has given up
   bool refused = false;                ///< it did not walk, since too few legs were left
   bool fell = false;                   ///< the base touched the ground, or tilted by more than 60°
+  /// Its roll or pitch when it fell, whichever was more [rad]. NaN where the state was none, or it did not fall.
+  double fall_tilt = std::numeric_limits<double>::quiet_NaN();
   /// No progress for too long: RefereeParams::progress and patience; and what was in the way.
   bool stuck = false;
   Hindrance hindrance;
