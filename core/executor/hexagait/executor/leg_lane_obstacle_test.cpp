@@ -86,15 +86,17 @@ TEST(Swing, NeitherPushesNorPullsWhatHoldsItAsItGoesBack) {
     lane.p_BF = kBody.inverse() * hit;
     lane.back_O = (hit - params.retreat_back * (kTarget - kStart) / kStride).head<2>();
     lane.apex_z = 0.15;
-    double most = 0.0;
+    double most = 0.0, pushes = 0.0;
     for (int k = 0; k < 500 && lane.phase == LegPhase::retreat; ++k) {
       const Vector3 set_point = kBody * lane.p_BF;
       const Vector3 foot(hit.x(), hit.y(), rises ? set_point.z() : hit.z());
       const Vector3 off = kBody.R.transpose() * (foot - set_point);
       most = std::max(most, off.norm());
+      pushes = planar_distance(foot, set_point);
       advance(lane, {.tracking_error = off.norm(), .off = off}, kBody, kDt, params);
     }
     ASSERT_EQ(lane.phase, LegPhase::transfer);
+    EXPECT_LT(pushes, 1e-9) << "it has let go";
     EXPECT_LT(most, 1.2 * params.blocked_error) << rises;
     EXPECT_LT(most, 0.5 * params.retreat_back) << rises;
     const double z = (kBody * lane.p_BF).z();
