@@ -20,6 +20,7 @@ namespace {
 constexpr std::uint32_t kBlock = 256;         // frames that are compressed together, at most
 constexpr std::size_t kMostItem = 32u << 20;  // [bytes]
 constexpr std::size_t kInflated = std::size_t{1} << 16;  // at once [bytes]
+constexpr double kLongest = 1e9;                         // time of a frame [s]
 constexpr const char* kCutOff = "is cut off: its end is missing";
 constexpr const char* kDamaged = "is damaged: ";
 constexpr int kGzipWindow = 15 + 16;  // of zlib: 32 kB, with the header of gzip
@@ -332,6 +333,9 @@ ReplayFacts check_replay(std::string_view bytes) {
     time = 0.0;
   };
   const auto frame = [&](const PoseFrame& f) {
+    if (facts.scenes == 0) throw InvalidInput(fmt::format("{}a frame before its scene", kDamaged));
+    if (!(f.time >= 0.0 && f.time <= kLongest))
+      throw InvalidInput(fmt::format("{}a frame at {:g} s", kDamaged, f.time));
     if (static_cast<std::size_t>(f.legs.size()) != legs)
       throw InvalidInput(fmt::format("{}a frame of {} legs, of a robot that has {}", kDamaged,
                                      f.legs.size(), legs));

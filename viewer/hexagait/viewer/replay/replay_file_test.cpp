@@ -169,6 +169,24 @@ TEST(ReplayFile, ThatIsDamagedIsRefused) {
   EXPECT_THAT(problem_of(bytes + "more"), HasSubstr("more behind its end"));
 }
 
+// Both were found by the fuzzer.
+TEST(ReplayFile, WithAFrameBeforeItsSceneOrAtNoTimeIsRefused) {
+  const auto with_scene_and_time = [](bool scene, double time) {
+    std::ostringstream out;
+    ReplayWriter writer(out);
+    if (scene) writer.text(kScene);
+    PoseFrame frame = frame_at(0);
+    frame.time = time;
+    writer.frame(frame, kJoints);
+    writer.finish();
+    return problem_of(out.str());
+  };
+  EXPECT_EQ(with_scene_and_time(true, 1.0), "");
+  EXPECT_THAT(with_scene_and_time(false, 1.0), HasSubstr("a frame before its scene"));
+  for (const double time : {-1.0, 1e300, std::numeric_limits<double>::infinity(), std::nan("")})
+    EXPECT_THAT(with_scene_and_time(true, time), HasSubstr("is damaged: a frame at")) << time;
+}
+
 TEST(ReplayFile, WithoutFramesOrWithThoseOfAnotherRobotIsRefused) {
   EXPECT_THAT(problem_of(written(0)), HasSubstr("nothing has moved"));
   std::ostringstream out;
