@@ -21,7 +21,7 @@ namespace hexagait::walk {
 ///
 /// as a task for a robot: one lap, with the look-ahead of its stroke. A robot with legs of two joints, which
 /// can't crab, follows it as a car.
-/// @param step  of the robot's steps: the stroke is its look-ahead [m]
+/// @param step  of the robot: the look-ahead follows from its stroke
 /// @throws InvalidInput  with file, line, value and what would be right, for everything that is wrong
 [[nodiscard]] path_following::PathTask load_path(const std::string& file, const RobotModel& robot,
                                                  const StepParams& step);

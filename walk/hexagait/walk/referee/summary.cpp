@@ -9,6 +9,8 @@
 namespace hexagait::walk {
 namespace {
 
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
 // What such a leg does, and what would help.
 struct Advice {
   const char* what;
@@ -62,7 +64,7 @@ std::string cause_in_words(const Hindrance& hindrance, const RobotModel& robot) 
 
 std::string fall_in_words(const Summary& summary) {
   if (!std::isfinite(summary.fall_tilt)) return "its simulated state is not finite";
-  const double degrees = summary.fall_tilt * 180.0 / std::numbers::pi;
+  const double degrees = kDegrees * summary.fall_tilt;
   return summary.fall_tilt > kFallTilt
              ? fmt::format("its body tilted by {:.0f}°", degrees)
              : fmt::format("its body touched the ground, tilted by {:.0f}°", degrees);
@@ -88,7 +90,7 @@ std::string in_words(const footstep_gen::Escape& escape, const RobotModel& robot
   };
   add(100.0 * escape.way.v.x(), "ahead", "back");
   add(100.0 * escape.way.v.y(), "left", "right");
-  const double turn = escape.way.w * 180.0 / std::numbers::pi;
+  const double turn = kDegrees * escape.way.w;
   std::string what = way.empty() ? "" : "moves " + way;
   if (std::abs(turn) >= 0.5)
     what += fmt::format("{}turns {:.0f}° {}", what.empty() ? "" : ", ", std::abs(turn),
