@@ -140,6 +140,8 @@ class Executor {
   [[nodiscard]] const Vector3& off(LegId leg) const { return off_[leg]; }
   /// Lag of the drives, as estimated [s].
   [[nodiscard]] double drive_lag() const { return lag_.lag(); }
+  /// The least lag of the drives, (lag 3) [s].
+  [[nodiscard]] double least_drive_lag() const { return lag_.least_lag(); }
   [[nodiscard]] const ExecutorParams& params() const { return params_; }
 
   /// Legs that count as standing.

@@ -22,6 +22,13 @@ namespace hexagait {
 ///
 /// of all legs together. One foot that is blocked moves this mean little; its set point goes on, and
 /// the line with it, so it is found at most τ̂ + error/v later than by a drive without lag.
+///
+/// τ̂ starts at kLongest: until drives have shown that they are prompt, they are taken for slow. The least lag
+///
+///     τ̌ ← mean of the same samples, over a few seconds of motion while it rises           (lag 3)
+///
+/// starts at 0, for what must not take prompt drives for slow: neither the start of a walk nor a foot that is
+/// blocked for a moment raises it much.
 class LagWatch {
  public:
   /// @param moving  slower set points say nothing about the lag [m/s]
@@ -40,7 +47,8 @@ class LagWatch {
 
   /// Of a foot in the air; 0 for one that stands [m].
   [[nodiscard]] double error(LegId leg) const { return error_[leg]; }
-  [[nodiscard]] double lag() const { return lag_; }  ///< τ̂ [s]
+  [[nodiscard]] double lag() const { return lag_; }          ///< τ̂ [s]
+  [[nodiscard]] double least_lag() const { return least_; }  ///< τ̌ [s]
 
  private:
   LegArray<Vector3> before_;   ///< set points of the last tick [m]
@@ -48,6 +56,7 @@ class LagWatch {
   LegArray<double> error_;     ///< [m]
   double moving_;              ///< [m/s]
   double lag_;
+  double least_ = 0.0;
 };
 
 }  // namespace hexagait

@@ -79,5 +79,25 @@ TEST(LagWatch, KnowsTheLagAfterSomeSwings) {
   }
 }
 
+// (lag 3) From the first tick on, at every lag; and a drive without lag that is blocked for half a swing has not
+// become late.
+TEST(LagWatch, TakesNoDriveForLaterThanItIs) {
+  for (const double dt : {0.001, 0.002, 0.010, 0.020}) {
+    for (const double lag : {0.0, 0.005, 0.02, 0.04}) {
+      SwingingFoot foot{lag, dt};
+      for (const double end = foot.t + 8.0; foot.t < end;) {
+        foot.tick();
+        ASSERT_LE(foot.watch.least_lag(), 1.2 * lag + 0.5 * dt) << lag << " s, period " << dt;
+      }
+      EXPECT_GE(foot.watch.least_lag(), 0.6 * lag - 0.7 * dt) << lag << " s, period " << dt;
+    }
+    SwingingFoot blocked{0.0, dt};
+    blocked.swing(4 * 0.76);
+    const double before = blocked.watch.lag();
+    for (const double end = blocked.t + 0.25; blocked.t < end;) blocked.tick(0.1);
+    EXPECT_LT(blocked.watch.least_lag(), 0.3 * (blocked.watch.lag() - before)) << "period " << dt;
+  }
+}
+
 }  // namespace
 }  // namespace hexagait

@@ -29,8 +29,8 @@ std::vector<RoughPoint> points() {
     int ideal, real;
   };
   for (const bool ideal : {true, false})
-    for (const Row& row : {Row{0.0, 200, 200}, Row{0.15, 200, 197}, Row{0.20, 197, 190},
-                           Row{0.25, 195, 171}, Row{0.30, 173, 131}})
+    for (const Row& row : {Row{0.0, 200, 200}, Row{0.15, 200, 197}, Row{0.20, 197, 194},
+                           Row{0.25, 195, 181}, Row{0.30, 173, 158}})
       for (const char* controller : {"tripod", "free"})
         all.push_back(of(ideal ? "ideal" : "real", controller, row.height,
                          ideal ? row.ideal : row.real, 0.15, row.height < 0.25 ? 0.0 : -0.01));
@@ -69,8 +69,9 @@ TEST(JudgeRough, TellsWhenMoreArriveThanWasDeclared) {
 
 TEST(JudgeRough, AllowsThePlantRealThreePoints) {
   auto all = points();
-  EXPECT_EQ(judge_real(all).word(), kKnown);  // from 20 cm on
+  EXPECT_EQ(judge_real(all).word(), kKnown);  // from 25 cm on
   EXPECT_EQ(judge_real(all).checks[0].finding(), Finding::holds);
+  EXPECT_EQ(judge_real(all).checks[1].finding(), Finding::holds);
   free_at(all, "real", 0.15).arrived = statistics::proportion(193, 200);
   EXPECT_EQ(judge_real(all).word(), kFails);
 }
