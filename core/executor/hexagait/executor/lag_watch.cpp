@@ -12,8 +12,8 @@ constexpr double kLongest = 0.06;
 
 // The lag is that of the last so many leg-seconds of motion [s].
 constexpr double kMemory = 0.5;
-// While the least lag rises: of the last so many [s].
-constexpr double kLongMemory = 2.5;
+// While the least lag rises, of so many times as many.
+constexpr double kRising = 5.0;
 
 double distance_to_segment(const Vector3& p, const Vector3& a, const Vector3& b) {
   const Vector3 way = b - a;
@@ -45,7 +45,7 @@ void LagWatch::watch(LegId leg, const Vector3& p, const Vector3& set_point, bool
   if (v2 < moving_ * moving_) return;
   const double lag = std::clamp((set_point - p).dot(v) / v2, 0.0, kLongest);
   lag_ += decay_share(dt / kMemory) * (lag - lag_);
-  least_ += decay_share(dt / (lag > least_ ? kLongMemory : kMemory)) * (lag - least_);
+  least_ += decay_share(dt / (lag > least_ ? kRising * kMemory : kMemory)) * (lag - least_);
 }
 
 // (lag 1) by the implicit rule, which trails a steady motion by just τ v at any period.
