@@ -4,6 +4,7 @@
 #include <cmath>
 #include <hexagait/executor/check_params.hpp>
 #include <hexagait/executor/tick_motion.hpp>
+#include <hexagait/footstep_gen/detail/lateness.hpp>
 #include <hexagait/footstep_gen/detail/rear_edge.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/gait_state/ring.hpp>
@@ -352,8 +353,8 @@ StepParams Walker::steps_here() const noexcept {
   // Feet that slide sideways as they stand catch on what low steps don't clear.
   if (!wave && !slides) step = on_ground(step, spread_);
   // A foot whose drives lag by more of its swing runs into the ground, or seems blocked.
-  const double lag = executor_.drive_lag() / (kHastyLag * params_.executor.swing.lift_time);
-  step.haste = 1.0 + (step.haste - 1.0) * std::clamp(2.0 - lag, 0.0, 1.0);
+  const double late = lateness(executor_.drive_lag(), kHastyLag * params_.executor.swing.lift_time);
+  step.haste = 1.0 + (step.haste - 1.0) * (1.0 - late);
   return step;
 }
 
