@@ -5,7 +5,7 @@
 # shellcheck shell=bash disable=SC2154  # $note is set by step, in setup.sh
 
 kPrefix=build/installed
-kUnity=(-DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=16)  # as build/release, or ccache finds nothing
+kUnity=(-DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=64)  # as build/release, or ccache finds nothing
 kComponents=(controller urdf actions verify sim sim2d sim3d walk statistics figures recording viewer
              sweeps)
 

@@ -3,4 +3,4 @@
 #include <cstdio>
 #include <hexagait/figures/gnuplot.hpp>
 
-int main() { std::printf("figures: %s\n", hexagait::figures::quoted("a text").c_str()); }
+int main() { std::printf("figures: %s\n", hexagait::figures::in_quotes("a text").c_str()); }

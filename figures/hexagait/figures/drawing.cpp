@@ -16,7 +16,7 @@ constexpr double kHead = 9.0;  // length of an arrow-head [px]
 void Drawing::text(const Vector2& place, const std::string& text, const TextStyle& style) {
   front_ += fmt::format(
       "set label {} at {:.2f},{:.2f} {} front noenhanced font {}('{}', {}) textcolor rgb {}\n",
-      quoted(text), place.x(), place.y(), style.align, style.mono ? "mono" : "sized",
+      in_quotes(text), place.x(), place.y(), style.align, style.mono ? "mono" : "sized",
       style.bold ? ":Bold" : "", style.points, style.colour);
 }
 

@@ -29,13 +29,13 @@ struct Assignment {
   // A decimal point, lest gnuplot divide as integers do.
   std::string operator()(double value) const { return fmt::format("{} = {:#.9g}\n", name, value); }
   std::string operator()(const std::string& value) const {
-    return fmt::format("{} = {}\n", name, quoted(value));
+    return fmt::format("{} = {}\n", name, in_quotes(value));
   }
   std::string operator()(const std::vector<double>& values) const {
     return array(name, values.size(), [&](auto k) { return fmt::format("{:#.9g}", values[k]); });
   }
   std::string operator()(const std::vector<std::string>& values) const {
-    return array(name, values.size(), [&](auto k) { return quoted(values[k]); });
+    return array(name, values.size(), [&](auto k) { return in_quotes(values[k]); });
   }
   std::string operator()(const Panel& p) const {
     return fmt::format("{0}_panel = panel({1}, {2}, {3}, {4}); {0}_top = {4}\n", name, p.left,
@@ -62,7 +62,7 @@ void draw_figure(StagedFiles& files, const Figure& figure, const Variables& vari
   files.write(figure.stem + ".gp",
               fmt::format("# gnuplot -e \"figure='other.svg'\" draws it as .svg, .pdf or .png.\n"
                           "if (!exists(\"figure\")) figure = {}\n{}{}{}\n{}\nunset multiplot\n",
-                          quoted(figure.stem + suffixes.front()), sheet.text(),
+                          in_quotes(figure.stem + suffixes.front()), sheet.text(),
                           scripts::figures::preamble, variables.text(), script));
   for (const std::string& suffix : suffixes) {
     if (figure.suffix.empty()) files.expect(figure.stem + suffix);

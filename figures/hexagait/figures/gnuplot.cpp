@@ -82,7 +82,7 @@ void require_gnuplot() {
 }
 
 void run_gnuplot(const fs::path& directory, const std::string& script, const std::string& figure) {
-  if (spawn_gnuplot(directory, "figure=" + quoted(figure), script) == 0) {
+  if (spawn_gnuplot(directory, "figure=" + in_quotes(figure), script) == 0) {
     if (figure.ends_with(".svg")) name_fonts(directory / figure);
     return require_whole(directory / figure);
   }
@@ -91,7 +91,7 @@ void run_gnuplot(const fs::path& directory, const std::string& script, const std
   throw std::runtime_error(fmt::format("gnuplot could not draw {}:\n{}", figure, said));
 }
 
-std::string quoted(const std::string& text) {
+std::string in_quotes(const std::string& text) {
   std::string result = "'";
   for (const char letter : text)
     result.append(letter == '\'' ? 2 : 1, letter == '\n' ? ' ' : letter);

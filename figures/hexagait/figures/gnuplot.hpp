@@ -17,6 +17,6 @@ void run_gnuplot(const std::filesystem::path& directory, const std::string& scri
                  const std::string& figure);
 
 /// A text as a gnuplot string, in single quotes.
-[[nodiscard]] std::string quoted(const std::string& text);
+[[nodiscard]] std::string in_quotes(const std::string& text);
 
 }  // namespace hexagait::figures

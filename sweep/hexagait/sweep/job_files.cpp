@@ -41,7 +41,7 @@ std::vector<Script> scripts_of(Scheduler scheduler) {
 }
 
 // A text as one word of a shell.
-std::string quoted(const std::string& text) {
+std::string in_quotes(const std::string& text) {
   std::string result = "'";
   for (const char letter : text)
     result += letter == '\'' ? std::string(R"('\'')") : std::string(1, letter);
@@ -63,9 +63,9 @@ std::string filled(std::string_view script, const std::map<std::string, std::str
 
 std::map<std::string, std::string> values_of(const JobPlan& plan) {
   std::map<std::string, std::string> values = {
-      {"program", quoted(plan.program)},
-      {"sweep", quoted(plan.sweep)},
-      {"folder", quoted(plan.folder)},
+      {"program", in_quotes(plan.program)},
+      {"sweep", in_quotes(plan.sweep)},
+      {"folder", in_quotes(plan.folder)},
       {"shards", std::to_string(plan.shards)},
       {"jobs", std::to_string(plan.jobs)},
       {"timeout",

@@ -89,14 +89,14 @@ class Filler {
 
   void read_given(const std::map<std::string, std::string>& given) {
     for (const auto& [name, text] : given) {
-      const std::string source = fmt::format("placeholder {}", quoted(name));
+      const std::string source = fmt::format("placeholder {}", in_quotes(name));
       Violations none(source);
       const std::optional<Value> value = as_value(parse_yaml(text, source, none), 0);
       if (!value)
         throw InvalidInput(
             fmt::format("{}: is {}; it must be a value or a list of at most {} "
                         "values",
-                        source, quoted(text), kMaxListed));
+                        source, in_quotes(text), kMaxListed));
       values_[name] = *value;
     }
   }
@@ -127,7 +127,7 @@ class Filler {
     else if (!value)
       add(key.mark, fmt::format("placeholder {}: is {}; it must be a value or a list of at most {} "
                                 "values",
-                                quoted(key.text), in_words(at(index)), kMaxListed));
+                                in_quotes(key.text), in_words(at(index)), kMaxListed));
     else
       values_[key.text] = *value;
   }
@@ -138,7 +138,7 @@ class Filler {
     if (found != values_.end()) return &found->second;
     const std::optional<std::string> nearest = nearest_word(name, names_);
     add(at(index).mark,
-        fmt::format("unknown placeholder {}; {}", quoted(name),
+        fmt::format("unknown placeholder {}; {}", in_quotes(name),
                     nearest ? fmt::format("did you mean \"{}\"?", *nearest)
                             : std::string("give it a default under \"placeholders\"")));
     return nullptr;
@@ -162,7 +162,7 @@ class Filler {
       if (is_all) return replace(index, *value);
       if (value->is_list) {
         add(at(index).mark, fmt::format("placeholder {}: is a list; it can't be a part of {}",
-                                        quoted(use->name), quoted(text)));
+                                        in_quotes(use->name), in_quotes(text)));
         return;
       }
       spend(value->text.size());

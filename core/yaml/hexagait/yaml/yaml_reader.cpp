@@ -43,7 +43,7 @@ bool keeps(double value, NumberRule::Bound bound) {
 
 }  // namespace
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t kShown = 60;
   const bool is_cut = text.size() > kShown;
   if (is_cut) text = text.substr(0, kShown);
@@ -57,7 +57,7 @@ std::string quoted(std::string_view text) {
 }
 
 std::string in_words(const YamlNode& node) {
-  if (node.is_scalar()) return quoted(node.text);
+  if (node.is_scalar()) return in_quotes(node.text);
   if (node.is_list()) return fmt::format("a list of {}", node.children.size());
   return node.is_map() ? "a map" : "nothing";
 }
@@ -82,12 +82,13 @@ void YamlReader::refuse_word(const Mark& mark, std::string_view what, std::strin
                              std::span<const std::string> known) {
   const std::optional<std::string> nearest = nearest_word(word, known);
   if (nearest)
-    refuse(mark, fmt::format("unknown {} {}; did you mean \"{}\"?", what, quoted(word), *nearest));
+    refuse(mark,
+           fmt::format("unknown {} {}; did you mean \"{}\"?", what, in_quotes(word), *nearest));
   else if (known.empty())
-    refuse(mark, fmt::format("unknown {} {}; none is known", what, quoted(word)));
+    refuse(mark, fmt::format("unknown {} {}; none is known", what, in_quotes(word)));
   else
     refuse(mark,
-           fmt::format("unknown {} {}; known: {}", what, quoted(word), fmt::join(known, ", ")));
+           fmt::format("unknown {} {}; known: {}", what, in_quotes(word), fmt::join(known, ", ")));
 }
 
 YamlFields YamlReader::fields(const YamlField& map, const YamlKeys& allowed) {
@@ -165,10 +166,11 @@ std::optional<double> YamlReader::number(const YamlField& field, NumberRule rule
     refuse(field.mark, fmt::format("{}: {}", field.key, problem));
   else if (is_tiny)
     refuse(field.mark, fmt::format("{}: {} is too small; the least that is read is {}", field.key,
-                                   quoted(scalar.text), in_words(kSmallestQuantity)));
+                                   in_quotes(scalar.text), in_words(kSmallestQuantity)));
   else if (std::abs(value) > rule.most)
-    refuse(field.mark, fmt::format("{}: {} is out of range; at most {}{} is read", field.key,
-                                   quoted(scalar.text), in_words(rule.most), unit(rule.dimension)));
+    refuse(field.mark,
+           fmt::format("{}: {} is out of range; at most {}{} is read", field.key,
+                       in_quotes(scalar.text), in_words(rule.most), unit(rule.dimension)));
   else if (!keeps(value, rule.bound))
     refuse(field, description(rule));
   else

@@ -112,6 +112,6 @@ class YamlReader {
 [[nodiscard]] std::string in_words(const YamlNode& node);
 
 /// The beginning of a text in quotation marks, without characters that are no letters.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string in_quotes(std::string_view text);
 
 }  // namespace hexagait

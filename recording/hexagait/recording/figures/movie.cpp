@@ -131,7 +131,7 @@ void draw_movie(figures::StagedFiles& files, const std::string& stem, const Reco
       {"right", right}};
   const std::string script = stem + "-movie.gp";
   files.write(script, fmt::format("# gnuplot draws it.\nif (!exists(\"figure\")) figure = {}\n{}{}",
-                                  figures::quoted(stem + ".gif"), variables.text(),
+                                  figures::in_quotes(stem + ".gif"), variables.text(),
                                   scripts::recording::movie));
   figures::run_gnuplot(files.staging(), script, stem + ".gif");
 }

@@ -73,7 +73,8 @@ JointOrder read_joint_names(YamlReader& yaml, const LegModel& leg, const YamlFie
     }
     const int joint = static_cast<int>(found - known.begin());
     if (std::find(order.begin(), order.end(), joint) != order.end()) {
-      yaml.refuse(names[i].mark, fmt::format("joint {} stands here a second time", quoted(name)));
+      yaml.refuse(names[i].mark,
+                  fmt::format("joint {} stands here a second time", in_quotes(name)));
       return hip_to_foot(leg);
     }
     order[static_cast<int>(i)] = joint;
