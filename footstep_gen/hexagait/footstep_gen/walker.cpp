@@ -20,7 +20,6 @@ constexpr double kMostToCome = 1.0;  // of half a step
 constexpr double kMostLean = 0.5;    // of the smallest workspace radius
 constexpr double kLeanRate = 3.0;    // of the rate at which the body tilts
 constexpr double kHastyLag = 0.1;  // of the time of a lift: drives that are prompt enough for haste
-constexpr double kPrompt = 0.015;  // of the same: for hard touchdowns, and for little balance
 
 void check_stepping(Violations& violations, const gait_state::StepperParams& stepper) {
   require(violations, "duty_factor", stepper.duty_factor,
@@ -44,8 +43,6 @@ WalkerParams checked(const WalkerParams& params) {
   };
   require_not_negative(violations, not_negative);
   require(violations, "haste", step.haste, step.haste >= 1.0 && std::isfinite(step.haste),
-          "at least 1");
-  require(violations, "descent", step.descent, step.descent >= 1.0 && std::isfinite(step.descent),
           "at least 1");
   require(violations, "touchdown", step.touchdown,
           step.touchdown >= 1.0 && std::isfinite(step.touchdown), "at least 1");
@@ -350,7 +347,7 @@ StepParams Walker::steps_here() const noexcept {
   const bool wave = gait_here().stepping == gait_state::Stepping::wave;
   const bool slides = model_->legs[0].has_two_joints();
   if (wave || crawls() || slides)
-    step.haste = step.descent = step.touchdown = 1.0;
+    step.haste = step.touchdown = 1.0;
   else
     step = on_guessed_ground(step, print_spread_);
   // Feet that slide sideways as they stand catch on what low steps don't clear.
@@ -358,13 +355,7 @@ StepParams Walker::steps_here() const noexcept {
   // A foot whose drives lag by more of its swing runs into the ground, or seems blocked.
   const double late = lateness(executor_.drive_lag(), kHastyLag * params_.executor.swing.lift_time);
   step.haste = 1.0 + (step.haste - 1.0) * (1.0 - late);
-  step.descent = 1.0 + (step.descent - 1.0) * (1.0 - late_drives());
   return step;
-}
-
-// How late drives have shown to be: a foot is in the ground by then, and throws the others off it.
-double Walker::late_drives() const noexcept {
-  return lateness(executor_.least_drive_lag(), kPrompt * params_.executor.swing.lift_time);
 }
 
 // The legs of a wave land one after the other. The fraction of the advance still to come that the

@@ -144,7 +144,6 @@ class Walker {
     return record_.very_rough ? very_rough_gait_ : params_.stepper;
   }
   [[nodiscard]] StepParams steps_here() const noexcept;
-  [[nodiscard]] double late_drives() const noexcept;
   [[nodiscard]] const Pose* path_pose() const noexcept { return crawls() ? &X_BG_ : nullptr; }
   [[nodiscard]] double share_to_come(LegId leg) const noexcept;
 

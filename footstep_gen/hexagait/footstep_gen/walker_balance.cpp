@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <hexagait/footstep_gen/detail/lateness.hpp>
 #include <hexagait/footstep_gen/detail/stance_from_above.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
 
@@ -8,7 +9,8 @@
 namespace hexagait::footstep_gen {
 namespace {
 
-constexpr double kLevel = 0.5;  // of the step height: prints that differ by less
+constexpr double kLevel = 0.5;     // of the step height: prints that differ by less
+constexpr double kPrompt = 0.015;  // of the time of a lift: drives that need no more balance
 
 }  // namespace
 
@@ -34,7 +36,9 @@ Walker::AskedBalance Walker::asked_balance() const noexcept {
   const double margin = params_.step.stability_margin;
   if (!lost_legs().empty()) return {.margin = margin, .beyond = 2.0, .steps = 2.0};
   if (!record_.very_rough) return {};
-  return {.margin = 3.0 * (1.0 + late_drives()) * margin, .beyond = 1.0, .steps = 4.0};
+  const double late =
+      lateness(executor_.least_drive_lag(), kPrompt * params_.executor.swing.lift_time);
+  return {.margin = 3.0 * (1.0 + late) * margin, .beyond = 1.0, .steps = 4.0};
 }
 
 // All of the margin at first; who waits for it for long does without.
