@@ -336,7 +336,7 @@ TEST(Session, RacesTwoRobots) {
   Session::Seen seen;
   Session::Letter letter;
   PoseFrame own, rival;
-  for (int k = 0; k < 500 && (rival.path < 0.3 || own.time != rival.time); ++k) {
+  for (int k = 0; k < 3000 && (rival.path < 1.5 || own.time != rival.time); ++k) {
     EXPECT_THAT(session.receive(client, R"({"type":"beat"})"), IsEmpty());
     while (session.newer_than(seen, letter)) {
       if (letter.kind == Session::Mail::frame) own = decode(letter.content);
@@ -346,8 +346,7 @@ TEST(Session, RacesTwoRobots) {
   }
   EXPECT_GT(rival.path, 0.3);
   EXPECT_EQ(own.time, rival.time);
-  EXPECT_GT(own.path, 0.2);
-  EXPECT_NE(own.path, rival.path);  // another gait
+  EXPECT_GT(own.path, rival.path);  // over rough ground the tripod that waits is slower
   EXPECT_EQ(rival.scene, 2U);
   EXPECT_EQ(rival.flags & (PoseFrame::rival | PoseFrame::tripod),
             PoseFrame::rival | PoseFrame::tripod);
