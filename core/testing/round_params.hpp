@@ -13,6 +13,7 @@ inline void round_steps(RobotParams& p) {
   p.step.height = 0.10;
   p.step.level_height = 0.5;
   p.step.haste = 1.4;
+  p.step.descent = 1.5;
   p.step.touchdown = 2.5;
   p.step.max_height = 0.22;
   p.step.stability_margin = 0.03;

@@ -245,6 +245,7 @@ FootstepCommand footstep(const RobotModel& model, const Stance& stance, const Pa
   step.profile_height =
       std::min(params.max_height, params.height + params.roughness_gain * (highest_z - start_z));
   step.haste = params.haste;
+  step.descent = params.descent;
   step.touchdown = params.touchdown;
   return step;
 }

@@ -40,27 +40,33 @@ inline constexpr double kSlowFrom = 2.5;  ///< spread without haste, of the step
 }
 
 /// The steps for ground as rough as the feet have found it. Lower on level ground; from a spread of
-/// (1 − level_height) height on, as high as over rough ground, (step 2). In haste up to a spread of 1.5
-/// heights; from 2.5 heights on without, (step 3).
+/// (1 − level_height) height on, as high as over rough ground, (step 2). In haste, and down as fast as a guess allows,
+/// up to a spread of 1.5 heights; from 2.5 heights on without, (step 3) and (step 9).
 [[nodiscard]] inline StepParams on_ground(StepParams step, double spread) noexcept {
   constexpr double kHastyUpTo = 1.5;
   const double range = (kSlowFrom - kHastyUpTo) * step.height;
   const double level = std::clamp(kSlowFrom * step.height - spread, 0.0, range);
   step.haste = range > 0.0 ? 1.0 + (step.haste - 1.0) * level / range : 1.0;
+  step.descent = range > 0.0 ? 1.0 + (step.descent - 1.0) * level / range : 1.0;
   step.height = std::min(step.height, step.level_height * step.height + spread);
   return step;
 }
 
 /// The steps where the height of the ground is a guess, because the last footprints differ by more than the
-/// highest steps need. Feet touch down faster, (step 6): the ground is seldom where a slow touchdown would meet
-/// it. Strokes are longer, (step 7): the search for the ground takes more time than the way.
+/// highest steps need. Feet touch down faster, (step 6): the ground is seldom where a slow touchdown would meet it.
+/// Strokes are longer, (step 7): the search for the ground takes more time than the way. From a spread of the
+/// height on feet also descend faster, (step 9).
 /// \param spread  of the last footprints now [m]
 [[nodiscard]] inline StepParams on_guessed_ground(StepParams step, double spread) noexcept {
-  constexpr double kFrom = 0.65, kTo = 0.95, kLonger = 0.1;
-  const double from = kFrom * step.height, to = kTo * step.height;
-  const double guess = to > from ? std::clamp((spread - from) / (to - from), 0.0, 1.0) : 0.0;
-  step.touchdown = 1.0 + (step.touchdown - 1.0) * guess;
-  step.stroke *= 1.0 + kLonger * guess;
+  constexpr double kLonger = 0.1;
+  const auto guess = [&](double from, double to) {
+    const double range = (to - from) * step.height;
+    return range > 0.0 ? std::clamp((spread - from * step.height) / range, 0.0, 1.0) : 0.0;
+  };
+  const double guessed = guess(0.65, 0.95);
+  step.descent = 1.0 + (step.descent - 1.0) * guess(1.0, 1.3);
+  step.touchdown = 1.0 + (step.touchdown - 1.0) * guessed;
+  step.stroke *= 1.0 + kLonger * guessed;
   return step;
 }
 

@@ -7,7 +7,7 @@
 namespace hexagait::footstep_gen {
 namespace {
 
-constexpr StepParams kStep{.height = 0.1, .level_height = 0.4, .haste = 1.6};
+constexpr StepParams kStep{.height = 0.1, .level_height = 0.4, .haste = 1.6, .descent = 1.4};
 
 TEST(HeightSpread, IsFromTheLowestPrintToTheHighest) {
   LegArray<Vector3> print_O(4, Vector3(0.3, -0.2, 5.0));
@@ -44,14 +44,24 @@ TEST(RememberedSpread, IsTheGreatestOfLate) {
   EXPECT_NEAR(remembered_spread(5.0, 0.01, 0.2, step), 0.2, 1e-12) << "a fall is forgotten too";
 }
 
-// Full haste up to a spread of 0.15 m, none from 0.25 m on, half of it between them.
+// Full haste up to a spread of 0.15 m, none from 0.25 m on, half of it between them. So descents.
 TEST(OnGround, IsInHasteWherePrintsDifferLittle) {
   for (const double spread : {0.0, 0.1, 0.149}) EXPECT_EQ(on_ground(kStep, spread).haste, 1.6);
   EXPECT_NEAR(on_ground(kStep, 0.2).haste, 1.3, 1e-12);
   for (const double spread : {0.251, 1.0}) EXPECT_EQ(on_ground(kStep, spread).haste, 1.0);
+  EXPECT_EQ(on_ground(kStep, 0.1).descent, 1.4);
+  EXPECT_NEAR(on_ground(kStep, 0.2).descent, 1.2, 1e-12);
+  EXPECT_EQ(on_ground(kStep, 0.251).descent, 1.0);
   StepParams flat_feet = kStep;
   flat_feet.height = 0.0;
   EXPECT_EQ(on_ground(flat_feet, 0.0).haste, 1.0) << "no clearance, no haste";
+}
+
+// As fast as always up to a spread of 0.1 m, 1.4 times as fast from 0.13 m on.
+TEST(OnGuessedGround, DescendsFasterWherePrintsDifferByMoreThanTheClearance) {
+  EXPECT_EQ(on_guessed_ground(kStep, 0.099).descent, 1.0);
+  EXPECT_NEAR(on_guessed_ground(kStep, 0.115).descent, 1.2, 1e-12);
+  EXPECT_NEAR(on_guessed_ground(kStep, 0.131).descent, 1.4, 1e-12);
 }
 
 // From a spread of 0.065 m on, all of it from 0.095 m on.

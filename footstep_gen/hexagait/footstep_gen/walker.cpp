@@ -19,7 +19,9 @@ constexpr double kPatience = 1.5;    // of a step all tries of which fail: then 
 constexpr double kMostToCome = 1.0;  // of half a step
 constexpr double kMostLean = 0.5;    // of the smallest workspace radius
 constexpr double kLeanRate = 3.0;    // of the rate at which the body tilts
-constexpr double kHastyLag = 0.1;  // of the time of a lift: drives that are prompt enough for haste
+// Of the time of a lift: drives that are prompt enough for haste, and for fast descents.
+constexpr double kHastyLag = 0.1;
+constexpr double kDescendingLag = 0.01;
 
 void check_stepping(Violations& violations, const gait_state::StepperParams& stepper) {
   require(violations, "duty_factor", stepper.duty_factor,
@@ -43,6 +45,8 @@ WalkerParams checked(const WalkerParams& params) {
   };
   require_not_negative(violations, not_negative);
   require(violations, "haste", step.haste, step.haste >= 1.0 && std::isfinite(step.haste),
+          "at least 1");
+  require(violations, "descent", step.descent, step.descent >= 1.0 && std::isfinite(step.descent),
           "at least 1");
   require(violations, "touchdown", step.touchdown,
           step.touchdown >= 1.0 && std::isfinite(step.touchdown), "at least 1");
@@ -347,14 +351,18 @@ StepParams Walker::steps_here() const noexcept {
   const bool wave = gait_here().stepping == gait_state::Stepping::wave;
   const bool slides = model_->legs[0].has_two_joints();
   if (wave || crawls() || slides)
-    step.haste = step.touchdown = 1.0;
+    step.haste = step.descent = step.touchdown = 1.0;
   else
     step = on_guessed_ground(step, print_spread_);
   // Feet that slide sideways as they stand catch on what low steps don't clear.
   if (!wave && !slides) step = on_ground(step, spread_);
-  // A foot whose drives lag by more of its swing runs into the ground, or seems blocked.
-  const double late = lateness(executor_.drive_lag(), kHastyLag * params_.executor.swing.lift_time);
-  step.haste = 1.0 + (step.haste - 1.0) * (1.0 - late);
+  // A foot whose drives lag by more of its swing runs into the ground, or seems blocked; one that descends fast
+  // is deep in the ground before its contact is known, and throws the others off it.
+  const auto prompt = [&](double lag) {
+    return 1.0 - lateness(executor_.drive_lag(), lag * params_.executor.swing.lift_time);
+  };
+  step.haste = 1.0 + (step.haste - 1.0) * prompt(kHastyLag);
+  step.descent = 1.0 + (step.descent - 1.0) * prompt(kDescendingLag);
   return step;
 }
 

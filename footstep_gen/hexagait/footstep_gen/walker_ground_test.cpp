@@ -98,6 +98,7 @@ struct RoughLifts {
   int unsteady = 0;        ///< that leave the centre of mass less than 2.8 times the margin inside
   int scant = 0;           ///< less than 4 times
   int ticks_of_waits = 0;  ///< in which the body moves for a leg that waits
+  double descent = 0.0;    ///< fastest of all steps on the boxes, of FootstepCommand::descent
 };
 
 /// @param late  the joints of legs in the air are measured so many periods after the fact
@@ -130,6 +131,9 @@ RoughLifts rough_lifts(double asked, std::size_t late = 0, double way = 4.0) {
     if (targets.size() > late + 1) targets.pop_front();
     for (LegId i = 0; i < 6; ++i)
       if (!record.legs[i].on_ground()) walk.plant.measurement.q[i] = targets.front()[i];
+    for (LegId i = 0; i < 6; ++i)
+      if (walk.place().x() > 0.75 && record.lifts.contains(i))
+        found.descent = std::max(found.descent, record.footsteps[i].descent);
     if (!record.very_rough) continue;
     if (!record.waits.empty() && record.base_auto.correction.v.norm() > 0.005)
       ++found.ticks_of_waits;
@@ -165,6 +169,8 @@ TEST(Walker, WaitsForMoreBalanceIfItsDrivesAreLate) {
   EXPECT_GT(late.all, 20);
   EXPECT_GT(4 * prompt.scant, prompt.all);
   EXPECT_LT(10 * late.scant, late.all);
+  EXPECT_GT(prompt.descent, 1.05) << "(step 9)";
+  EXPECT_EQ(late.descent, 1.0) << "(step 9)";
 }
 
 // (step 3) Once it knows that the drives do not lag. A wave's body follows its swings: it does without.

@@ -33,6 +33,8 @@ struct FootstepCommand {
   double profile_height = 0.0;     ///< clearance above the higher of start and target [m]
   /// How many times as fast as SwingParams says, (swing 4). Of a step that has begun it stays.
   double haste = 1.0;
+  /// How many times SwingParams::descent_speed it has, (step 9).
+  double descent = 1.0;
   /// How many times SwingParams::touchdown_speed and, down to the clearance below, search_speed it has, (step 6).
   double touchdown = 1.0;
   SearchDepth depth = {};

@@ -19,6 +19,13 @@ constexpr double kCoasting = 2.0;
 // Has a timer that counts in control periods reached its time?
 bool elapsed(double time, double limit) { return time > limit - kTimeTolerance; }
 
+// The parameters of the present step.
+SwingParams params_here(const LegLane& lane, const SwingParams& at_ease) {
+  SwingParams params = hastened(at_ease, lane.haste);
+  params.descent_speed = faster(params.descent_speed, lane.step.descent, at_ease.max_rise);
+  return params;
+}
+
 // A tick's share of a ramp that ends in the tick that is nearest to its time.
 double tick_share(double dt, double time) { return 1.0 / std::max(1.0, std::round(time / dt)); }
 
@@ -338,7 +345,7 @@ void interrupt(LegLane& lane, bool to_stand) noexcept {
 
 void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt,
              const SwingParams& at_ease) noexcept {
-  const SwingParams params = hastened(at_ease, lane.haste);
+  const SwingParams params = params_here(lane, at_ease);
   lane.lifted = lane.phase == LegPhase::unload && lane.time == 0.0;
   lane.found_no_ground = false;
   lane.time += dt;

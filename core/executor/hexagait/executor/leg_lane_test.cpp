@@ -229,6 +229,29 @@ TEST(Swing, TouchesDownWhereTheGroundIs) {
   }
 }
 
+// (step 9) Above the ground so many times as fast, also in haste, but no faster than a foot may rise.
+TEST(Swing, DescendsFasterWhereTheHeightIsAGuess) {
+  const auto fastest = [](double times, double haste, double max_rise) {
+    Swing swing;
+    swing.params.max_rise = max_rise;
+    FootstepCommand step{0, kTarget, 0.1};
+    step.descent = times;
+    step.haste = haste;
+    command(swing.lane, step, kBody);
+    swing.touches = [](const Vector3& p) { return p.z() <= -0.05 || p == kStart; };
+    double down = 0.0;
+    swing.land([&] {
+      if (swing.foot().z() > 0.0) down = std::max(down, -swing.lane.v_O.z());
+    });
+    return down;
+  };
+  const double speed = Swing().params.descent_speed;
+  EXPECT_NEAR(fastest(1.0, 1.0, 10.0), speed, 1e-9);
+  EXPECT_NEAR(fastest(1.2, 1.0, 10.0), 1.2 * speed, 1e-9);
+  EXPECT_NEAR(fastest(1.2, 1.2, 10.0), 1.44 * speed, 1e-9);
+  EXPECT_NEAR(fastest(1.2, 1.0, 1.1 * speed), 1.1 * speed, 1e-9);
+}
+
 // (step 6) The speed at the height that is expected, and that of the search below, so many times as fast; neither
 // faster than the descent. Deeper than the clearance the search is as slow as ever.
 TEST(Swing, TouchesDownFasterWhereTheHeightIsAGuess) {

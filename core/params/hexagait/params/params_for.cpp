@@ -21,6 +21,7 @@ constexpr double kDisc = 0.55;                    // radius of the swing's volum
 constexpr double kDip = 0.3;                      // its depth below the ground, of the height
 constexpr double kSpeedShare = 0.9;               // of the joints' greatest speeds
 constexpr double kHaste = 1.4;                    // of swings on level ground
+constexpr double kDescent = 1.5;                  // of the speed of descents, on rough ground
 constexpr double kTouchdown = 2.5;                // of the speed of touchdowns, on rough ground
 
 struct FootSpeed {
@@ -149,6 +150,7 @@ constexpr Parameter kParameters[] = {
     {"step.height", "m", kHeight, reach, [](P& p) -> double& { return p.step.height; }},
     {"step.level_height", "1", 0.5, none, [](P& p) -> double& { return p.step.level_height; }},
     {"step.haste", "1", kHaste, none, [](P& p) -> double& { return p.step.haste; }},
+    {"step.descent", "1", kDescent, none, [](P& p) -> double& { return p.step.descent; }},
     {"step.touchdown", "1", kTouchdown, none, [](P& p) -> double& { return p.step.touchdown; }},
     {"step.max_height", "m", 1.0, reach, [](P& p) -> double& { return p.step.max_height; }},
     {"step.stability_margin", "m", 0.03, size,
