@@ -7,6 +7,9 @@ import { once } from "node:events";
 import { after, before } from "node:test";
 import { chromium } from "playwright-core";
 
+// What does not happen within so long hangs [ms]. Ample: another program may have the processor.
+export const PATIENCE = 60000;
+
 export const startServer = (...options) => serve("steer", ...options);
 
 /** A server of `hexagait steer` or `hexagait replay`. */
@@ -35,6 +38,7 @@ export const startBrowser = () =>
 export async function openPage(browser, url, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, ...options });
   const page = await context.newPage();
+  page.setDefaultTimeout(PATIENCE);
   page.problems = [];
   page.on("pageerror", (error) => page.problems.push(error.message));
   page.on("console", (message) => message.type() === "error" && page.problems.push(message.text()));
@@ -42,7 +46,7 @@ export async function openPage(browser, url, options = {}) {
   page.on("request", (request) => own(new URL(request.url())) || page.problems.push(`asks ${request.url()}`));
   const begin = Date.now();
   await page.goto(url);
-  await page.waitForFunction(() => window.hexagait?.view().drawn > 0, null, { timeout: 15000 });
+  await page.waitForFunction(() => window.hexagait?.view().drawn > 0);
   page.drawnAfter = Date.now() - begin;
   return page;
 }
@@ -69,17 +73,17 @@ export async function press(page, name) {
 
 /** The newest frame; after a new scene there is none for a moment. */
 export async function frameOf(page) {
-  for (const end = Date.now() + 5000; Date.now() < end; await page.waitForTimeout(20)) {
+  for (const end = Date.now() + PATIENCE; Date.now() < end; await page.waitForTimeout(20)) {
     const frame = await page.evaluate(() => window.hexagait.frame());
     if (frame) return frame;
   }
-  throw new Error("no frame within 5 s");
+  throw new Error(`no frame within ${PATIENCE} ms`);
 }
 
 /** Waits until a function of the frame, and of `argument`, is true. It is asked here: the page's policy
  *  lets no text be run there. */
 export async function until(page, condition, argument) {
-  for (const end = Date.now() + 8000; Date.now() < end; await page.waitForTimeout(30))
+  for (const end = Date.now() + PATIENCE; Date.now() < end; await page.waitForTimeout(30))
     if (condition(await frameOf(page), argument)) return;
-  throw new Error(`not within 8 s: ${condition}; the last frame: ${JSON.stringify({ ...(await frameOf(page)), legs: [] })}`);
+  throw new Error(`not within ${PATIENCE} ms: ${condition}; the last frame: ${JSON.stringify({ ...(await frameOf(page)), legs: [] })}`);
 }

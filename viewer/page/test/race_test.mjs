@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { press, until, withPage } from "./browser.mjs";
+import { PATIENCE, press, until, withPage } from "./browser.mjs";
 
 // Two robots on the same ground.
 let page;
@@ -11,8 +11,8 @@ withPage(["--terrain", "boxes:6cm"], (parts) => ({ page } = parts));
 
 const rival = () => page.evaluate(() => window.hexagait.rival());
 async function untilRival(condition) {
-  for (const end = Date.now() + 15000; Date.now() < end; await page.waitForTimeout(30)) if (condition(await rival())) return;
-  throw new Error(`not within 15 s: ${condition}`);
+  for (const end = Date.now() + PATIENCE; Date.now() < end; await page.waitForTimeout(30)) if (condition(await rival())) return;
+  throw new Error(`not within ${PATIENCE} ms: ${condition}`);
 }
 
 test("G begins a race: a second robot of another gait walks as it is told, and both distances are shown", async () => {

@@ -192,7 +192,7 @@ describe("things to try", () => {
     await key("r");
     await until(page, (f, before) => f.scene > before, scene);
     await page.waitForTimeout(300);
-    await page.waitForFunction(() => /^(Alternates within|Alternating after) /.test(document.getElementById("countdown").textContent), null, { timeout: 8000 });
+    await page.waitForFunction(() => /^(Alternates within|Alternating after) /.test(document.getElementById("countdown").textContent));
   });
   test("P pushes the body aside", async () => {
     await reset();
@@ -347,7 +347,7 @@ test("comes back when the server does", async () => {
   await server.stop();
   await page.waitForFunction(() => document.getElementById("state").textContent === "not connected");
   server = await startServer("--port", port, ...kGround);
-  await page.waitForFunction(() => document.getElementById("state").textContent.startsWith("walking"), null, { timeout: 10000 });
+  await page.waitForFunction(() => document.getElementById("state").textContent.startsWith("walking"));
   const { path } = await frameOf(page);
   await until(page, (f, before) => f.path !== before, path);
 });
