@@ -8,7 +8,7 @@ import { after, before } from "node:test";
 import { chromium } from "playwright-core";
 
 // What does not happen within so long hangs [ms]. Ample: another program may have the processor.
-export const PATIENCE = 60000;
+const PATIENCE = 60000;
 
 export const startServer = (...options) => serve("steer", ...options);
 
@@ -71,19 +71,21 @@ export async function press(page, name) {
   await page.keyboard.press(name);
 }
 
-/** The newest frame; after a new scene there is none for a moment. */
-export async function frameOf(page) {
-  for (const end = Date.now() + PATIENCE; Date.now() < end; await page.waitForTimeout(20)) {
-    const frame = await page.evaluate(() => window.hexagait.frame());
-    if (frame) return frame;
+/** Asks until the answer is as wanted, and returns it. `wanted` is `text` in the message of one that never is. */
+export async function eventually(page, ask, wanted, text = wanted) {
+  let answer;
+  for (const end = Date.now() + PATIENCE; Date.now() < end; await page.waitForTimeout(30)) {
+    answer = await ask();
+    if (wanted(answer)) return answer;
   }
-  throw new Error(`no frame within ${PATIENCE} ms`);
+  const last = JSON.stringify(answer, (key, value) => (key === "legs" ? [] : value));
+  throw new Error(`not within ${PATIENCE} ms: ${text}; the last answer: ${last}`);
 }
+
+/** The newest frame; after a new scene there is none for a moment. */
+export const frameOf = (page) => eventually(page, () => page.evaluate(() => window.hexagait.frame()), Boolean, "a frame");
 
 /** Waits until a function of the frame, and of `argument`, is true. It is asked here: the page's policy
  *  lets no text be run there. */
-export async function until(page, condition, argument) {
-  for (const end = Date.now() + PATIENCE; Date.now() < end; await page.waitForTimeout(30))
-    if (condition(await frameOf(page), argument)) return;
-  throw new Error(`not within ${PATIENCE} ms: ${condition}; the last frame: ${JSON.stringify({ ...(await frameOf(page)), legs: [] })}`);
-}
+export const until = (page, condition, argument) =>
+  eventually(page, () => frameOf(page), (frame) => condition(frame, argument), condition);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { PATIENCE, frameOf, openPage, press, until, withPage } from "./browser.mjs";
+import { eventually, frameOf, openPage, press, until, withPage } from "./browser.mjs";
 
 // A path that is drawn on the ground, and one that comes along.
 let browser, server, page;
@@ -10,13 +10,7 @@ let browser, server, page;
 withPage(["--terrain", "flat"], (parts) => ({ browser, server, page } = parts));
 
 const route = () => page.evaluate(() => window.hexagait.setup()?.path);
-async function untilRoute(condition) {
-  for (const end = Date.now() + PATIENCE; Date.now() < end; await page.waitForTimeout(30)) {
-    const now = await route();
-    if (condition(now)) return now;
-  }
-  throw new Error(`not within ${PATIENCE} ms: ${condition}; the path: ${JSON.stringify(await route())}`);
-}
+const untilRoute = (condition) => eventually(page, route, condition);
 const key = (name) => press(page, name);
 /** Along points of the picture [px]. */
 async function drag(points) {

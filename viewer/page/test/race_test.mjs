@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { PATIENCE, press, until, withPage } from "./browser.mjs";
+import { eventually, press, until, withPage } from "./browser.mjs";
 
 // Two robots on the same ground.
 let page;
@@ -10,10 +10,7 @@ let page;
 withPage(["--terrain", "boxes:6cm"], (parts) => ({ page } = parts));
 
 const rival = () => page.evaluate(() => window.hexagait.rival());
-async function untilRival(condition) {
-  for (const end = Date.now() + PATIENCE; Date.now() < end; await page.waitForTimeout(30)) if (condition(await rival())) return;
-  throw new Error(`not within ${PATIENCE} ms: ${condition}`);
-}
+const untilRival = (condition) => eventually(page, rival, condition);
 
 test("G begins a race: a second robot of another gait walks as it is told, and both distances are shown", async () => {
   await press(page, "g");

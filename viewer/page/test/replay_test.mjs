@@ -7,7 +7,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { after, before, describe, test } from "node:test";
-import { PATIENCE, frameOf, openPage, press, serve, startBrowser, until } from "./browser.mjs";
+import { eventually, frameOf, openPage, press, serve, startBrowser, until } from "./browser.mjs";
 import { openReplay } from "./replay.js";
 
 const folder = mkdtempSync(join(tmpdir(), "hexagait-replay-"));
@@ -34,10 +34,7 @@ const key = (name, of = page) => press(of, name);
 /** Sets the slider as a hand does. */
 const scrub = (seconds, of = page) => of.locator("#scrub").fill(String(Math.round(1000 * seconds)));
 /** Waits until the player is as asked. */
-async function untilPlayer(condition, of = page) {
-  for (const end = Date.now() + PATIENCE; Date.now() < end; await of.waitForTimeout(30)) if (condition(await player(of))) return;
-  throw new Error(`not within ${PATIENCE} ms: ${condition}; ${JSON.stringify(await player(of))}`);
-}
+const untilPlayer = (condition, of = page) => eventually(of, () => player(of), condition);
 async function feetAreRight(of) {
   const { frame, drawn } = await of.evaluate(() => window.hexagait.feet());
   frame.legs.forEach((leg, i) => {

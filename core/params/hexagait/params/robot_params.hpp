@@ -29,8 +29,8 @@ struct StepParams {
   /// How many times as fast as SwingParams says feet swing on level ground, by (step 3); at least 1.
   /// Higher: faster, until the joints limit it; feet run into edges harder.
   double haste = kDerived;
-  /// How many times SwingParams::descent_speed feet have where the height of the ground is a guess and drives are
-  /// prompt, by (step 9); at least 1. Higher: faster over rough ground, and harder impacts on what is higher there.
+  /// How many times SwingParams::descent_speed feet have where prints differ by more than the height above and
+  /// drives are prompt, by (step 9); at least 1. Higher: faster over rough ground, and harder impacts there.
   double descent = kDerived;
   /// How many times SwingParams::touchdown_speed feet have at the expected ground where its height is a
   /// guess, by (step 6); at least 1. Higher: faster over rough ground, and harder impacts there.
