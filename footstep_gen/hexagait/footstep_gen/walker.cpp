@@ -9,7 +9,6 @@
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/gait_state/ring.hpp>
 #include <hexagait/math/trigonometry.hpp>
-#include <hexagait/model/leg_weight.hpp>
 #include <hexagait/posture/lean.hpp>
 #include <limits>
 
@@ -218,8 +217,6 @@ void Walker::feel_roughness() noexcept {
   const bool may_change = params_.stepper.stepping == gait_state::Stepping::free && !crawls() &&
                           lost_legs().empty() && !model_->legs[0].has_two_joints();
   record_.very_rough = may_change && very_rough(spread_, params_.step);
-  executor_.set_centre_of_mass(record_.very_rough ? centre_of_mass(*model_, record_.state.q)
-                                                  : model_->p_BM);
 }
 
 heading_control::PathArc Walker::arc_of(const heading_control::Heading& heading) const noexcept {
@@ -336,12 +333,10 @@ void Walker::command() noexcept {
   const bool gives_way = !sways && asked_balance().margin > 0.0 && !record_.waits.empty();
   if (gives_way) back.v.setZero();
   if (escape.phase != EscapePhase::none) back = escape.left;
-  // The base stays as far inside as legs lift with. A crawling one would else brake its zero-moment point out by
-  // more than the margin of many legs, and the leg on the other side would lose contact; on very rough ground
-  // odometry's tilt is off, and it would tip over the feet ahead.
-  const double margin = sways ? step.lift_margin : asked_balance().base;
-  record_.base_auto =
-      base_auto(*model_, record_.arc, executor_, record_.state.X_OB, back, step, margin);
+  // A crawling base stays as far inside as the leg waited for: braking takes the zero-moment point out by
+  // more than the margin of many legs, and the leg on the other side would lose contact.
+  if (sways) step.stability_margin = std::max(step.stability_margin, step.lift_margin);
+  record_.base_auto = base_auto(*model_, record_.arc, executor_, record_.state.X_OB, back, step);
   keep_out(record_.base_auto, escape);
   if (sways) sway(record_.base_auto, record_.gate.sway);
   if (gives_way) record_.base_auto.correction.v += way_for_waiting();

@@ -117,7 +117,6 @@ class Walker {
     double margin = 0.0;  ///< of the centre of mass inside the feet that stay [m]
     double beyond = 0.0;  ///< where the body goes for a leg that waits, of the margin
     double steps = 0.0;   ///< who waits for longer does without [times of a step]
-    double base = 0.0;    ///< which the base keeps from the edges of the support polygon [m]
   };
   [[nodiscard]] AskedBalance asked_balance() const noexcept;
   [[nodiscard]] double balance_margin() const noexcept;

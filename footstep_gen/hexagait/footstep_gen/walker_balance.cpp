@@ -30,18 +30,15 @@ bool Walker::too_soon() const noexcept {
                                                                 lost_legs(), ring().size() / 2);
 }
 
-// (balance 1), (balance 2). With a leg lost a leg may wait where all stand and nothing else moves the body, which goes farther
+// (balance 1). With a leg lost a leg may wait where all stand and nothing else moves the body, which goes farther
 // than it must then: the last of the way is slow.
 Walker::AskedBalance Walker::asked_balance() const noexcept {
   const double margin = params_.step.stability_margin;
-  if (!lost_legs().empty()) return {.margin = margin, .beyond = 2.0, .steps = 2.0, .base = margin};
+  if (!lost_legs().empty()) return {.margin = margin, .beyond = 2.0, .steps = 2.0};
   if (!record_.very_rough) return {};
   const double late =
       lateness(executor_.least_drive_lag(), kPrompt * params_.executor.swing.lift_time);
-  // Odometry's tilt is off by some degrees here; an inertial unit's is not.
-  const double base = record_.measurement.imu ? 2.0 : 3.0;
-  return {
-      .margin = 3.0 * (1.0 + late) * margin, .beyond = 1.0, .steps = 4.0, .base = base * margin};
+  return {.margin = 3.0 * (1.0 + late) * margin, .beyond = 1.0, .steps = 4.0};
 }
 
 // All of the margin at first; who waits for it for long does without.

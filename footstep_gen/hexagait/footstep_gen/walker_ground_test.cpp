@@ -7,9 +7,6 @@
 #include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/footstep_gen/detail/kinematic_walk.hpp>
 #include <hexagait/heading_control/twist.hpp>
-#include <hexagait/model/leg_weight.hpp>
-#include <hexagait/model/stance.hpp>
-#include <limits>
 #include <set>
 #include <testing/argos.hpp>
 #include <testing/control_period.hpp>
@@ -95,13 +92,7 @@ TEST(Walker, WalksAWaveWhereItsPrintsDifferMuch) {
   EXPECT_GT(tripod.place().x(), 2.5);
 }
 
-/// Height of boxes of up to 30 cm, from x = 0.75 m on [m].
-double boxes(const Vector2& p_O) {
-  const long x = std::lround(p_O.x() / 0.3), y = std::lround(p_O.y() / 0.3);
-  return x < 3 ? 0.0 : 0.1 * static_cast<double>((3 * x + 2 * y + x * y) & 3);
-}
-
-/// Lifts of a walk over very rough ground, boxes, by a robot whose load is 8 cm behind its middle.
+/// Lifts of a walk over very rough ground, boxes of up to 30 cm, by a robot whose load is 8 cm behind its middle.
 struct RoughLifts {
   int all = 0;
   int unsteady = 0;        ///< that leave the centre of mass less than 2.8 times the margin inside
@@ -114,13 +105,15 @@ struct RoughLifts {
 /// @param way   [m]
 RoughLifts rough_lifts(double asked, std::size_t late = 0, double way = 4.0) {
   RobotModel loaded = argos();
-  loaded.base.p_LM.x() -= 0.08 * loaded.mass / loaded.base.mass;
-  weigh(loaded);
+  loaded.p_BM.x() -= 0.08;
   const double margin = Walk(loaded, 0.0).walker.params().step.stability_margin;
   WalkerParams params;
   params.step.stability_margin = asked * margin;
   Walk walk(loaded, 0.0, 0, params);
-  walk.plant.ground = boxes;
+  walk.plant.ground = [](const Vector2& p_O) {
+    const long x = std::lround(p_O.x() / 0.3), y = std::lround(p_O.y() / 0.3);
+    return x < 3 ? 0.0 : 0.1 * static_cast<double>((3 * x + 2 * y + x * y) & 3);
+  };
   // A foot that is measured 6 ms late as it lands at 0.5 m/s is set down 3 mm above the ground.
   if (late > 0) walk.plant.lift_off = 4e-3;
   RoughLifts found;
@@ -129,12 +122,11 @@ RoughLifts rough_lifts(double asked, std::size_t late = 0, double way = 4.0) {
     LegSet stood;
     for (LegId i = 0; i < 6; ++i)
       stood.set(i, walk.walker.record().legs[i].phase == LegPhase::support);
-    // Not by Walk::tick(): in this plant a foot beside a step stands on its side until it is a hair's breadth off it,
-    // and then it and a neighbour are off the ground together.
     const TickRecord& record =
-        walk.walker.tick(PlantStatus::fresh, walk.plant.measurement, Heading::straight(0.0));
-    EXPECT_TRUE(record.rule1_violations.empty());
-    walk.plant.follow(record, kDt);
+        late == 0
+            ? walk.tick(Heading::straight(0.0))
+            : walk.walker.tick(PlantStatus::fresh, walk.plant.measurement, Heading::straight(0.0));
+    if (late > 0) walk.plant.follow(record, kDt);
     targets.push_back(record.targets.q);
     if (targets.size() > late + 1) targets.pop_front();
     for (LegId i = 0; i < 6; ++i)
@@ -145,14 +137,13 @@ RoughLifts rough_lifts(double asked, std::size_t late = 0, double way = 4.0) {
     if (!record.very_rough) continue;
     if (!record.waits.empty() && record.base_auto.correction.v.norm() > 0.005)
       ++found.ticks_of_waits;
+    if (record.lifts.empty()) continue;
     const Matrix3& R_OB = record.state.X_OB.R;
     LegArray<Vector3> feet(6);
     for (LegId i = 0; i < 6; ++i) feet[i] = R_OB * record.legs[i].p_BF;
-    const Vector2 p_M = (R_OB * centre_of_mass(loaded, record.state.q)).head<2>();
-    if (record.lifts.empty()) continue;
     const SupportPolygon stay = support_polygon(feet, without(stood, record.lifts));
     ++found.all;
-    const double left = stability_margin(stay, p_M);
+    const double left = stability_margin(stay, (R_OB * loaded.p_BM).head<2>());
     if (left < 2.8 * margin) ++found.unsteady;
     if (left < 4.0 * margin) ++found.scant;
   }
@@ -170,53 +161,14 @@ TEST(Walker, WaitsForItsBalanceWhereItsPrintsDifferMuch) {
   EXPECT_GT(asked.ticks_of_waits, 100);
 }
 
-/// How far inside the support polygon the centre of mass is left by the base that goes on over boxes, at least; of
-/// the stability margin.
-double least_inside(bool inertial_unit) {
-  Walk walk(argos(), 0.0);
-  walk.plant.ground = boxes;
-  const double margin = walk.walker.params().step.stability_margin;
-  const auto support = [&](const LegArray<LegLane>& legs) {
-    LegSet set;
-    for (LegId i = 0; i < 6; ++i) set.set(i, legs[i].supports(walk.walker.params().executor.swing));
-    return set;
-  };
-  double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < 60000 && walk.place().x() < 3.0; ++k) {
-    const LegArray<LegLane> before = walk.walker.record().legs;
-    if (inertial_unit)
-      walk.plant.measurement.imu = {walk.plant.X_OB.R.transpose() * Vector3(0.0, 0.0, 9.81),
-                                    walk.walker.record().base.twist().w};
-    const TickRecord& record =
-        walk.walker.tick(PlantStatus::fresh, walk.plant.measurement, Heading::straight(0.0));
-    walk.plant.follow(record, kDt);
-    const double advance = record.base_auto.max_advance;
-    if (!record.very_rough || support(before) != support(record.legs) || advance < 1e-3) continue;
-    const Matrix3& R_OB = record.state.X_OB.R;
-    LegArray<Vector3> feet(6);
-    for (LegId i = 0; i < 6; ++i) feet[i] = R_OB * before[i].p_BF;
-    const SupportPolygon polygon = support_polygon(feet, support(before));
-    const Vector3 p_BM = centre_of_mass(argos(), record.state.q);
-    const Vector2 there = (R_OB * (p_BM + Vector3(advance, 0.0, 0.0))).head<2>();
-    if (polygon.size > 2) least = std::min(least, stability_margin(polygon, there) / margin);
-  }
-  EXPECT_GT(walk.place().x(), 2.9);
-  return least;
-}
-
-// (balance 2)
-TEST(Walker, KeepsItsBaseInsideWhereItsPrintsDifferMuch) {
-  EXPECT_NEAR(least_inside(false), 3.0, 1e-6);
-  EXPECT_NEAR(least_inside(true), 2.0, 1e-6) << "with an inertial unit";
-}
-
 // (balance 1) Twice as much with drives that are late by 6 ms. This plant measures feet late only while they are in
-// the air, so they lose hold as they land, and after 1.7 m it goes no farther.
+// the air, so they lose hold as they land: neighbours are off the ground together (rule 1 is not looked at), and after
+// 2 m it goes no farther.
 TEST(Walker, WaitsForMoreBalanceIfItsDrivesAreLate) {
-  const RoughLifts prompt = rough_lifts(1.0, 0, 1.6), late = rough_lifts(1.0, 3, 1.6);
+  const RoughLifts prompt = rough_lifts(1.0, 0, 2.0), late = rough_lifts(1.0, 3, 2.0);
   EXPECT_GT(late.all, 20);
   EXPECT_GT(4 * prompt.scant, prompt.all);
-  EXPECT_LT(6 * late.scant, late.all);
+  EXPECT_LT(10 * late.scant, late.all);
   EXPECT_GT(prompt.descent, 1.05) << "(step 9)";
   EXPECT_EQ(late.descent, 1.0) << "(step 9)";
 }
