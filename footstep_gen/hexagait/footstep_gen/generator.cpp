@@ -121,10 +121,10 @@ double times_inside(const SupportEdges& polygon, const Vector2& way, double marg
 // Path, ahead (sense 1) or back (−1), until the centre of mass comes closer than `margin` to an edge
 // of the support polygon [m].
 // The body turns little within a step, so its path is taken to be straight. Two feet hold the body
-// for as long as it stays near the line between them: until it is `margin` beyond it.
+// for as long as it stays near the line between them: a negative margin is beyond it.
 double stability_left(const SupportEdges& polygon, double margin, double sense) {
   if (polygon.edges.size() < 2) return 0.0;
-  return times_inside(polygon, sense * polygon.along, polygon.has_inside() ? margin : -margin);
+  return times_inside(polygon, sense * polygon.along, margin);
 }
 
 // Displacement in the body frame that gives a centre of mass its margin back, where it has lost it:
@@ -251,19 +251,24 @@ FootstepCommand footstep(const RobotModel& model, const Stance& stance, const Pa
 }
 
 BaseAutoCommand base_auto(const RobotModel& model, const PathArc& arc, const Executor& executor,
-                          const Pose& X_OB, const PlanarTwist& deviation,
-                          const StepParams& params) noexcept {
+                          const Pose& X_OB, const PlanarTwist& deviation, const StepParams& params,
+                          double margin) noexcept {
   const LegSet support = executor.support();
   const SupportEdges polygon = support_edges(arc, executor, support, X_OB.R);
   const Stance& stance = executor.stance();
   BaseAutoCommand base;
   base.adaptation = pose_adaptation;
   base.path = arc.per_metre;
-  const PlanarTwist correction{kept_inside(deviation.v, polygon, X_OB.R, params.stability_margin),
+  // On two feet there is no inside.
+  const double inside =
+      polygon.has_inside() ? std::max(margin, params.stability_margin) : -params.stability_margin;
+  const Vector2 back_in = back_over_the_feet(polygon, X_OB.R, params.stability_margin);
+  const Vector2 farther_in = back_over_the_feet(polygon, X_OB.R, inside) - back_in;
+  const PlanarTwist correction{kept_inside(deviation.v, polygon, X_OB.R, inside) + farther_in,
                                deviation.w};
   double share = 1.0;  // of the correction, until a standing foot leaves its workspace
-  double ahead = stability_left(polygon, params.stability_margin, 1.0);
-  double back = stability_left(polygon, params.stability_margin, -1.0);
+  double ahead = stability_left(polygon, inside, 1.0);
+  double back = stability_left(polygon, inside, -1.0);
   for (LegId i = 0; i < model.num_legs(); ++i) {
     if (!support.contains(i)) continue;
     const Vector3& p_BF = executor.legs()[i].p_BF;
@@ -283,9 +288,7 @@ BaseAutoCommand base_auto(const RobotModel& model, const PathArc& arc, const Exe
   base.max_braking = braking_within(polygon, X_OB.R, off.v, params.lift_margin, limits.gravity);
   base.max_advance = ahead;
   base.min_advance = -back;
-  base.correction = {
-      share * correction.v + back_over_the_feet(polygon, X_OB.R, params.stability_margin),
-      share * correction.w};
+  base.correction = {share * correction.v + back_in, share * correction.w};
   return base;
 }
 

@@ -42,14 +42,15 @@ namespace hexagait::footstep_gen {
 /// The motion of the base: along the path as the legs allow ([PC04] 4), parallel to the ground
 /// under the feet, and back to the commanded curve; limited by the workspaces of the support legs
 /// and by the edges of the support polygon, which is projected along gravity. On two feet the base
-/// may pass the line between them by the margin, and on fewer it waits. A centre of mass that is
+/// may pass the line between them by `stability_margin`, and on fewer it waits. A centre of mass that is
 /// outside is moved back over the feet.
 /// @param X_OB       the body in odom, whose z is up
 /// @param deviation  displacement back to the commanded curve [m, rad]
+/// @param margin     of the centre of mass from the edges; `stability_margin` if that is more [m]
 [[nodiscard]] BaseAutoCommand base_auto(const RobotModel& model,
                                         const heading_control::PathArc& arc,
                                         const Executor& executor, const Pose& X_OB,
-                                        const PlanarTwist& deviation,
-                                        const StepParams& params) noexcept;
+                                        const PlanarTwist& deviation, const StepParams& params,
+                                        double margin = 0.0) noexcept;
 
 }  // namespace hexagait::footstep_gen

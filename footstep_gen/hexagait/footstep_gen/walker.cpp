@@ -217,6 +217,7 @@ void Walker::feel_roughness() noexcept {
   const bool may_change = params_.stepper.stepping == gait_state::Stepping::free && !crawls() &&
                           lost_legs().empty() && !model_->legs[0].has_two_joints();
   record_.very_rough = may_change && very_rough(spread_, params_.step);
+  executor_.set_centre_of_mass(balanced_mass());
 }
 
 heading_control::PathArc Walker::arc_of(const heading_control::Heading& heading) const noexcept {
@@ -304,6 +305,7 @@ void Walker::decide() noexcept {
   record_.lifts = decision.lifts;
   record_.waits = decision.waits;
   record_.rule1_violations = decision.rule1_violations;
+  note_gain();
   if (!lost_legs().empty() && !crawls()) wait_for_balance();
 }
 
@@ -335,8 +337,9 @@ void Walker::command() noexcept {
   if (escape.phase != EscapePhase::none) back = escape.left;
   // A crawling base stays as far inside as the leg waited for: braking takes the zero-moment point out by
   // more than the margin of many legs, and the leg on the other side would lose contact.
-  if (sways) step.stability_margin = std::max(step.stability_margin, step.lift_margin);
-  record_.base_auto = base_auto(*model_, record_.arc, executor_, record_.state.X_OB, back, step);
+  const double margin = sways ? step.lift_margin : asked_balance().base;
+  record_.base_auto =
+      base_auto(*model_, record_.arc, executor_, record_.state.X_OB, back, step, margin);
   keep_out(record_.base_auto, escape);
   if (sways) sway(record_.base_auto, record_.gate.sway);
   if (gives_way) record_.base_auto.correction.v += way_for_waiting();

@@ -110,6 +110,7 @@ class Walker {
   LiftGateDecision gate() noexcept;
   [[nodiscard]] LegSet steady(LegSet legs) const noexcept;
   [[nodiscard]] double last_lift() const noexcept;
+  void note_gain() noexcept;
   [[nodiscard]] bool one_at_a_time() const noexcept;
   [[nodiscard]] bool too_soon() const noexcept;
   /// The balance that a leg waits for before it lifts. None: its margin is 0.
@@ -117,8 +118,12 @@ class Walker {
     double margin = 0.0;  ///< of the centre of mass inside the feet that stay [m]
     double beyond = 0.0;  ///< where the body goes for a leg that waits, of the margin
     double steps = 0.0;   ///< who waits for longer does without [times of a step]
+    double base = 0.0;    ///< least that the base keeps from the edges of the support polygon [m]
   };
   [[nodiscard]] AskedBalance asked_balance() const noexcept;
+  [[nodiscard]] double late() const noexcept;
+  [[nodiscard]] double downhill() const noexcept;
+  [[nodiscard]] Vector3 balanced_mass() const noexcept;
   [[nodiscard]] double balance_margin() const noexcept;
   void wait_for_balance() noexcept;
   void command() noexcept;
@@ -158,6 +163,7 @@ class Walker {
   Deadlock deadlock_;
   LiftGate gate_;
   BalanceWait balance_;
+  double last_gain_ = 0.0;          ///< last lift of a foot behind its workspace centre [s]
   Pose X_BG_;                       ///< see gait_input()
   Stance stance_of_all_;            ///< before any leg was lost
   Stance level_;                    ///< of the legs that there are, on level ground

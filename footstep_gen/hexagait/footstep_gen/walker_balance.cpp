@@ -4,6 +4,7 @@
 #include <hexagait/footstep_gen/detail/lateness.hpp>
 #include <hexagait/footstep_gen/detail/stance_from_above.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
+#include <hexagait/model/leg_weight.hpp>
 
 /// Which legs of a Walker may lift, for balance, and where its body goes for those that wait.
 namespace hexagait::footstep_gen {
@@ -18,6 +19,12 @@ double Walker::last_lift() const noexcept {
   return *std::ranges::max_element(memory_.stepper.lifted_at);
 }
 
+// A foot that is ahead already may step where it stands, again and again, while another leg waits: that gains nothing.
+void Walker::note_gain() noexcept {
+  for (LegId i = 0; i < model_->num_legs(); ++i)
+    if (record_.lifts.contains(i) && record_.gait_input.lag[i] > 0.0) last_gain_ = time();
+}
+
 // On about level ground legs lift one after the other: pairs that lift together stop the base between their
 // steps. On rough ground no time is given away.
 bool Walker::one_at_a_time() const noexcept {
@@ -30,21 +37,48 @@ bool Walker::too_soon() const noexcept {
                                                                 lost_legs(), ring().size() / 2);
 }
 
-// (balance 1). With a leg lost a leg may wait where all stand and nothing else moves the body, which goes farther
-// than it must then: the last of the way is slow.
+// How late the drives are for balance: 0 up to a share kPrompt of a lift, 1 from twice as much on.
+double Walker::late() const noexcept {
+  return lateness(executor_.least_drive_lag(), kPrompt * params_.executor.swing.lift_time);
+}
+
+// Does the path lead down very rough ground, such as stairs? 0 up to a slope of 14°, 1 from 24° on: those of boxes seldom
+// come so far.
+double Walker::downhill() const noexcept {
+  constexpr double kGentle = 0.25, kSteep = 0.40;  // sines
+  const Vector2& way = record_.arc.per_metre.v;
+  const double length = way.norm();
+  if (!record_.very_rough || !(length > 0.0)) return 0.0;
+  const double slope = -record_.state.X_OB.R.row(2).head<2>().dot(way) / length;
+  return std::clamp((slope - kGentle) / (kSteep - kGentle), 0.0, 1.0);
+}
+
+// Centre of mass by which the robot keeps its balance, (balance 2).
+Vector3 Walker::balanced_mass() const noexcept {
+  const double down = downhill();
+  if (down <= 0.0) return model_->p_BM;
+  return model_->p_BM + down * (centre_of_mass(*model_, record_.state.q) - model_->p_BM);
+}
+
+// (balance 1), (balance 2). With a leg lost a leg may wait where all stand and nothing else moves the body, which goes
+// farther than it must then: the last of the way is slow.
 Walker::AskedBalance Walker::asked_balance() const noexcept {
   const double margin = params_.step.stability_margin;
   if (!lost_legs().empty()) return {.margin = margin, .beyond = 2.0, .steps = 2.0};
   if (!record_.very_rough) return {};
-  const double late =
-      lateness(executor_.least_drive_lag(), kPrompt * params_.executor.swing.lift_time);
-  return {.margin = 3.0 * (1.0 + late) * margin, .beyond = 1.0, .steps = 4.0};
+  // Odometry's tilt is off by some degrees on the way down; an inertial unit's is not.
+  const double more = record_.measurement.imu ? 1.0 : 2.0;
+  return {.margin = 3.0 * (1.0 + late()) * margin,
+          .beyond = 1.0,
+          .steps = 4.0,
+          .base = (1.0 + more * downhill()) * margin};
 }
 
 // All of the margin at first; who waits for it for long does without.
 double Walker::balance_margin() const noexcept {
   const AskedBalance asked = asked_balance();
-  const double waited = time() - std::max(last_lift(), balance_.since);
+  const double last = lost_legs().empty() ? last_gain_ : std::max(last_lift(), balance_.since);
+  const double waited = time() - last;
   const double step = memory_.stepper.longest_step(gait_here());
   const double left = asked.steps * step - waited;
   return left > 0.0 ? asked.margin * std::min(1.0, left / step) : 0.0;

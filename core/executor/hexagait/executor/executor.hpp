@@ -86,10 +86,13 @@ class Executor {
   [[nodiscard]] LegSet lost() const { return lost_; }
   /// Lets all feet that are up descend at once, and not go on to their footholds.
   void put_down() noexcept;
-  /// Centre of mass in the nominal stance: the model's; with a lost leg half-way from there to where it
+  /// Where the centre of mass of a robot with all its legs is from now on [m]. Until then, and after
+  /// construction, where the model has it in the nominal stance. reset() keeps it.
+  void set_centre_of_mass(const Vector3& p_BM) noexcept { posture_shift_ = p_BM - model_->p_BM; }
+  /// Centre of mass: as set; with a lost leg, in the nominal stance, half-way from the model's to where it
   /// is without the leg, of which nobody knows whether it hangs or is gone [m].
   [[nodiscard]] Vector3 p_BM() const {
-    return lost_.empty() ? model_->p_BM : Vector3(model_->p_BM + lost_shift_);
+    return model_->p_BM + (lost_.empty() ? posture_shift_ : lost_shift_);
   }
 
   /// Rate of the plans' time: 1 as planned, 0 paused.
@@ -194,7 +197,8 @@ class Executor {
   ExecutorParams params_;
   Stance stance_;
   LegSet lost_;
-  Vector3 lost_shift_ = Vector3::Zero();  ///< of the centre of mass [m]
+  Vector3 posture_shift_ = Vector3::Zero();  ///< of the centre of mass [m]
+  Vector3 lost_shift_ = Vector3::Zero();     ///< of the centre of mass, with legs lost [m]
   LegArray<LegLane> legs_;
   LegArray<LegTrig> trig_;           ///< of the joint targets
   LegArray<LegJoints> last_change_;  ///< of the joint targets in the last tick [rad]

@@ -40,6 +40,16 @@ LegWeight leg_weight(const LegModel& leg, const LegJoints& q, const Vector3& g_u
   return weight;
 }
 
+Vector3 centre_of_mass(const RobotModel& robot, const LegArray<LegJoints>& q) noexcept {
+  Vector3 moment_B = robot.base.mass * robot.base.p_LM;
+  for (LegId i = 0; i < q.size(); ++i) {
+    const LegModel& leg = robot.legs[i];
+    for (int k = 0; k < leg.num_joints(); ++k)
+      moment_B += leg.links[k].mass * (link_pose(leg, k, q[i]) * leg.links[k].p_LM);
+  }
+  return moment_B / robot.mass;
+}
+
 Matrix3 nominal_inertia(const RobotModel& robot) {
   Matrix3 inertia = inertia_about(robot.p_BM, robot.base, {});
   for (const LegModel& leg : robot.legs) {

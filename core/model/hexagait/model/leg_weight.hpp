@@ -21,6 +21,12 @@ struct LegWeight {
 [[nodiscard]] LegWeight leg_weight(const LegModel& leg, const LegJoints& q,
                                    const Vector3& g_up_B) noexcept;
 
+/// The robot's centre of mass in a posture, body frame [m].
+/// @param q  joint values of each leg [rad]
+/// @pre the robot's mass is set
+[[nodiscard]] Vector3 centre_of_mass(const RobotModel& robot,
+                                     const LegArray<LegJoints>& q) noexcept;
+
 /// The robot's inertia about its centre of mass in the nominal stance, axes of the body [kg m²].
 /// @pre mass and p_BM of the robot are set
 [[nodiscard]] Matrix3 nominal_inertia(const RobotModel& robot);

@@ -62,6 +62,31 @@ TEST(LegWeight, IsTheGradientOfThePotentialEnergy) {
   }
 }
 
+// The efforts that hold the legs are the gradient of the whole robot's potential energy too: by the axes of the joints
+// on one side, by the places of the links on the other.
+TEST(CentreOfMass, MovesWithTheLegs) {
+  RandomSequence random{.seed = 3};
+  const RobotModel& model = robot("argos");
+  LegArray<LegJoints> q(6, LegJoints::Zero());
+  for (LegId i = 0; i < 6; ++i) q[i] = inverse_kinematics(model.legs[i], model.legs[i].p_BC).q;
+  EXPECT_LT((centre_of_mass(model, q) - model.p_BM).norm(), 1e-12) << "in the nominal stance";
+  for (int trial = 0; trial < 20; ++trial) {
+    const Vector3 up(random.uniform(-1, 1), random.uniform(-1, 1), 1.0);
+    for (LegJoints& leg : q)
+      for (double& joint : leg) joint = random.uniform(-1.5, 1.5);
+    for (LegId i = 0; i < 6; ++i) {
+      const LegJoints effort = leg_weight(model.legs[i], q[i], up).effort;
+      for (Eigen::Index k = 0; k < effort.size(); ++k) {
+        LegArray<LegJoints> more = q, less = q;
+        more[i][k] += 1e-5;
+        less[i][k] -= 1e-5;
+        const Vector3 way = centre_of_mass(model, more) - centre_of_mass(model, less);
+        EXPECT_NEAR(model.mass * up.dot(way) / 2e-5, effort[k], 1e-7);
+      }
+    }
+  }
+}
+
 // The kinetic energy of a robot that turns as one rigid thing about its centre of mass, ½ wᵀ I w,
 // summed over its links: ½ m |w × arm|² + ½ wᵀ I_L w. And the robot is as symmetric as it looks.
 TEST(NominalInertia, GivesTheKineticEnergyOfTurning) {

@@ -109,13 +109,10 @@ bool put_foot(LegModel& leg, const Vector3& p_BC) {
 }
 
 void weigh(RobotModel& robot) {
-  Vector3 moment_B = robot.base.mass * robot.base.p_LM;
-  for (const LegModel& leg : robot.legs) {
-    const LegJoints q = inverse_kinematics(leg, leg.p_BC).q;
-    for (int k = 0; k < leg.num_joints(); ++k)
-      moment_B += leg.links[k].mass * (link_pose(leg, k, q) * leg.links[k].p_LM);
-  }
-  robot.p_BM = moment_B / robot.mass;
+  LegArray<LegJoints> q(robot.num_legs());
+  for (LegId i = 0; i < q.size(); ++i)
+    q[i] = inverse_kinematics(robot.legs[i], robot.legs[i].p_BC).q;
+  robot.p_BM = centre_of_mass(robot, q);
   robot.inertia_M_B = nominal_inertia(robot);
 }
 

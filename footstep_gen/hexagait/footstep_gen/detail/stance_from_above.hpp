@@ -9,7 +9,7 @@ namespace hexagait::footstep_gen {
 /// A robot seen along gravity: axes of odom, origin at the body's.
 struct StanceFromAbove {
   LegArray<Vector3> feet;  ///< set points [m]
-  Vector2 p_M;             ///< centre of mass in the nominal stance [m]
+  Vector2 p_M;             ///< centre of mass, as Executor::p_BM() [m]
 };
 
 /// @param R_OB  the body's rotation in odom, whose z is up
