@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
 #include <hexagait/footstep_gen/detail/lateness.hpp>
 #include <hexagait/footstep_gen/detail/stance_from_above.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
@@ -12,6 +13,12 @@ namespace {
 
 constexpr double kLevel = 0.5;     // of the step height: prints that differ by less
 constexpr double kPrompt = 0.015;  // of the time of a lift: drives that need no more balance
+
+// Is a path steep? 0 up to a slope of 14°, 1 from 24° on, by its sine: those over boxes seldom come so far.
+double steepness(double sine) noexcept {
+  constexpr double kGentle = 0.25, kSteep = 0.40;
+  return std::clamp((sine - kGentle) / (kSteep - kGentle), 0.0, 1.0);
+}
 
 }  // namespace
 
@@ -42,22 +49,19 @@ double Walker::late() const noexcept {
   return lateness(executor_.least_drive_lag(), kPrompt * params_.executor.swing.lift_time);
 }
 
-// Does the path lead down very rough ground, such as stairs? 0 up to a slope of 14°, 1 from 24° on: those of boxes seldom
-// come so far.
-double Walker::downhill() const noexcept {
-  constexpr double kGentle = 0.25, kSteep = 0.40;  // sines
+// Sine of how steeply the path leads down very rough ground; 0 on other ground.
+double Walker::descent() const noexcept {
   const Vector2& way = record_.arc.per_metre.v;
   const double length = way.norm();
   if (!record_.very_rough || !(length > 0.0)) return 0.0;
-  const double slope = -record_.state.X_OB.R.row(2).head<2>().dot(way) / length;
-  return std::clamp((slope - kGentle) / (kSteep - kGentle), 0.0, 1.0);
+  return -record_.state.X_OB.R.row(2).head<2>().dot(way) / length;
 }
 
 // Centre of mass by which the robot keeps its balance, (balance 2).
 Vector3 Walker::balanced_mass() const noexcept {
-  const double down = downhill();
-  if (down <= 0.0) return model_->p_BM;
-  return model_->p_BM + down * (centre_of_mass(*model_, record_.state.q) - model_->p_BM);
+  const double share = steepness(std::abs(descent()));
+  if (share <= 0.0) return model_->p_BM;
+  return model_->p_BM + share * (centre_of_mass(*model_, record_.state.q) - model_->p_BM);
 }
 
 // (balance 1), (balance 2). With a leg lost a leg may wait where all stand and nothing else moves the body, which goes
@@ -71,7 +75,7 @@ Walker::AskedBalance Walker::asked_balance() const noexcept {
   return {.margin = 3.0 * (1.0 + late()) * margin,
           .beyond = 1.0,
           .steps = 4.0,
-          .base = (1.0 + more * downhill()) * margin};
+          .base = (1.0 + more * steepness(descent())) * margin};
 }
 
 // All of the margin at first; who waits for it for long does without.
