@@ -311,7 +311,7 @@ void Walker::decide() noexcept {
 
 void Walker::command() noexcept {
   learn_holes();
-  StepParams step = steps_here();
+  const StepParams step = steps_here();
   const double half_step = walks() ? 0.5 * step.stroke : 0.0;
   record_.path_to_come = path_to_come(record_.arc, executor_, half_step, path_pose());
   // With a leg lost the base may wait for balance, and feet would land too far ahead of it.
@@ -332,12 +332,13 @@ void Walker::command() noexcept {
   const bool sways = crawls() && walks();
   const Escape& escape = record_.escape;
   PlanarTwist back{sways ? Vector2(Vector2::Zero()) : record_.deviation.v, record_.deviation.w};
-  const bool gives_way = !sways && asked_balance().margin > 0.0 && !record_.waits.empty();
+  const AskedBalance asked = asked_balance();
+  const bool gives_way = !sways && asked.margin > 0.0 && !record_.waits.empty();
   if (gives_way) back.v.setZero();
   if (escape.phase != EscapePhase::none) back = escape.left;
   // A crawling base stays as far inside as the leg waited for: braking takes the zero-moment point out by
   // more than the margin of many legs, and the leg on the other side would lose contact.
-  const double margin = sways ? step.lift_margin : asked_balance().base;
+  const double margin = sways ? step.lift_margin : asked.base;
   record_.base_auto =
       base_auto(*model_, record_.arc, executor_, record_.state.X_OB, back, step, margin);
   keep_out(record_.base_auto, escape);

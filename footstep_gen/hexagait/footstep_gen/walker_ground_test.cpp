@@ -160,9 +160,8 @@ RoughLifts rough_lifts(double asked, std::size_t late = 0, double way = 4.0) {
       LegArray<Vector3> feet(6);
       for (LegId i = 0; i < 6; ++i) feet[i] = R_OB * record.legs[i].p_BF;
       const SupportPolygon stay = support_polygon(feet, without(stood, record.lifts));
-      const Vector3& p_BM = loaded.p_BM;
       ++found.all;
-      const double left = stability_margin(stay, (R_OB * p_BM).head<2>());
+      const double left = stability_margin(stay, (R_OB * loaded.p_BM).head<2>());
       if (left < 2.8 * margin) ++found.unsteady;
       if (left < 4.0 * margin) ++found.scant;
     }

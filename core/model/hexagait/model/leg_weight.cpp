@@ -13,21 +13,30 @@ Matrix3 inertia_about(const Vector3& p_BM, const LinkModel& link, const Pose& X_
          link.mass * (arm.squaredNorm() * Matrix3::Identity() - arm * arm.transpose());
 }
 
+// From the hip outwards: visit(i, before, after), displacements of link i from its pose with all joints at zero, without
+// and with the turn of its own joint.
+template <class Visit>
+void along_leg(const LegModel& leg, const LegJoints& q, Visit visit) {
+  Pose X_BB0;
+  for (int i = 0; i < leg.num_joints(); ++i) {
+    const Pose before = X_BB0;
+    X_BB0 = before * rotation_about(leg.p_BJ0[i], rotation(leg.axis_B0[i] * q[i]));
+    visit(i, before, X_BB0);
+  }
+}
+
 }  // namespace
 
 LegWeight leg_weight(const LegModel& leg, const LegJoints& q, const Vector3& g_up_B) noexcept {
   const int joints = leg.num_joints();
   JointArray<Vector3> p_BJ(joints), axis_B(joints), moment_B(joints);
 
-  // From the hip outwards: joints and centres of mass of the links.
-  Pose X_BB0;  // displacement of the present link from its pose with all joints at zero
-  for (int i = 0; i < joints; ++i) {
-    p_BJ[i] = X_BB0 * leg.p_BJ0[i];
-    axis_B[i] = X_BB0.R * leg.axis_B0[i];
-    X_BB0 = X_BB0 * rotation_about(leg.p_BJ0[i], rotation(leg.axis_B0[i] * q[i]));
+  along_leg(leg, q, [&](int i, const Pose& before, const Pose& after) {
+    p_BJ[i] = before * leg.p_BJ0[i];
+    axis_B[i] = before.R * leg.axis_B0[i];
     const LinkModel& link = leg.links[i];
-    moment_B[i] = link.mass * (X_BB0 * (link.X_BL0 * link.p_LM));
-  }
+    moment_B[i] = link.mass * (after * (link.X_BL0 * link.p_LM));
+  });
 
   // Back inwards: each joint holds all links beyond it.
   LegWeight weight;
@@ -43,9 +52,10 @@ LegWeight leg_weight(const LegModel& leg, const LegJoints& q, const Vector3& g_u
 Vector3 centre_of_mass(const RobotModel& robot, const LegArray<LegJoints>& q) noexcept {
   Vector3 moment_B = robot.base.mass * robot.base.p_LM;
   for (LegId i = 0; i < q.size(); ++i) {
-    const LegModel& leg = robot.legs[i];
-    for (int k = 0; k < leg.num_joints(); ++k)
-      moment_B += leg.links[k].mass * (link_pose(leg, k, q[i]) * leg.links[k].p_LM);
+    along_leg(robot.legs[i], q[i], [&](int k, const Pose&, const Pose& after) {
+      const LinkModel& link = robot.legs[i].links[k];
+      moment_B += link.mass * (after * link.X_BL0 * link.p_LM);
+    });
   }
   return moment_B / robot.mass;
 }
