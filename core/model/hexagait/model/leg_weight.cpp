@@ -13,16 +13,25 @@ Matrix3 inertia_about(const Vector3& p_BM, const LinkModel& link, const Pose& X_
          link.mass * (arm.squaredNorm() * Matrix3::Identity() - arm * arm.transpose());
 }
 
-// From the hip outwards: visit(i, before, after), displacements of link i from its pose with all joints at zero, without
-// and with the turn of its own joint.
-template <class Visit>
-void along_leg(const LegModel& leg, const LegJoints& q, Visit visit) {
-  Pose X_BB0;
-  for (int i = 0; i < leg.num_joints(); ++i) {
-    const Pose before = X_BB0;
-    X_BB0 = before * rotation_about(leg.p_BJ0[i], rotation(leg.axis_B0[i] * q[i]));
-    visit(i, before, X_BB0);
+// v turned by `angle` about a unit vector (Rodrigues).
+Vector3 turned(const Vector3& v, const Vector3& axis, double angle) {
+  const auto [s, c] = portable::sincos(angle);
+  return c * v + s * axis.cross(v) + ((1.0 - c) * axis.dot(v)) * axis;
+}
+
+// First moment of mass of a leg. From the foot inwards, each joint turns all that is beyond it, as it is with the
+// joints farther in at zero.
+Vector3 first_moment(const LegModel& leg, const LegJoints& q) {
+  Vector3 moment_B = Vector3::Zero();
+  double mass = 0.0;
+  for (int i = leg.num_joints(); i-- > 0;) {
+    const LinkModel& link = leg.links[i];
+    mass += link.mass;
+    moment_B += link.mass * (link.X_BL0 * link.p_LM);
+    const Vector3 at_joint = mass * leg.p_BJ0[i];
+    moment_B = at_joint + turned(moment_B - at_joint, leg.axis_B0[i], q[i]);
   }
+  return moment_B;
 }
 
 }  // namespace
@@ -31,12 +40,14 @@ LegWeight leg_weight(const LegModel& leg, const LegJoints& q, const Vector3& g_u
   const int joints = leg.num_joints();
   JointArray<Vector3> p_BJ(joints), axis_B(joints), moment_B(joints);
 
-  along_leg(leg, q, [&](int i, const Pose& before, const Pose& after) {
-    p_BJ[i] = before * leg.p_BJ0[i];
-    axis_B[i] = before.R * leg.axis_B0[i];
+  Pose X_BB0;  // displacement of a link from its pose with all joints at zero
+  for (int i = 0; i < joints; ++i) {
+    p_BJ[i] = X_BB0 * leg.p_BJ0[i];
+    axis_B[i] = X_BB0.R * leg.axis_B0[i];
+    X_BB0 = X_BB0 * rotation_about(leg.p_BJ0[i], rotation(leg.axis_B0[i] * q[i]));
     const LinkModel& link = leg.links[i];
-    moment_B[i] = link.mass * (after * (link.X_BL0 * link.p_LM));
-  });
+    moment_B[i] = link.mass * (X_BB0 * (link.X_BL0 * link.p_LM));
+  }
 
   // Back inwards: each joint holds all links beyond it.
   LegWeight weight;
@@ -51,12 +62,7 @@ LegWeight leg_weight(const LegModel& leg, const LegJoints& q, const Vector3& g_u
 
 Vector3 centre_of_mass(const RobotModel& robot, const LegArray<LegJoints>& q) noexcept {
   Vector3 moment_B = robot.base.mass * robot.base.p_LM;
-  for (LegId i = 0; i < q.size(); ++i) {
-    along_leg(robot.legs[i], q[i], [&](int k, const Pose&, const Pose& after) {
-      const LinkModel& link = robot.legs[i].links[k];
-      moment_B += link.mass * (after * link.X_BL0 * link.p_LM);
-    });
-  }
+  for (LegId i = 0; i < q.size(); ++i) moment_B += first_moment(robot.legs[i], q[i]);
   return moment_B / robot.mass;
 }
 
