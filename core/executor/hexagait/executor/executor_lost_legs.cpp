@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <hexagait/executor/executor.hpp>
 #include <hexagait/model/kinematics.hpp>
+#include <hexagait/model/leg_weight.hpp>
 
 /// Legs that take no part any more.
 namespace hexagait {
@@ -11,11 +12,8 @@ namespace {
 Vector3 shift_without(const LegModel& leg, const RobotModel& model) {
   const LegJoints q = inverse_kinematics(leg, leg.p_BC).q;
   double mass = 0.0;
-  Vector3 moment_B = Vector3::Zero();
-  for (int k = 0; k < leg.num_joints(); ++k) {
-    mass += leg.links[k].mass;
-    moment_B += leg.links[k].mass * (link_pose(leg, k, q) * leg.links[k].p_LM - model.p_BM);
-  }
+  for (int k = 0; k < leg.num_joints(); ++k) mass += leg.links[k].mass;
+  const Vector3 moment_B = leg_weight(leg, q, Vector3::Zero()).moment_B - mass * model.p_BM;
   const double rest = model.mass - mass;
   return rest > 0.0 ? Vector3(-moment_B / rest) : Vector3(Vector3::Zero());
 }
