@@ -70,6 +70,15 @@ inline constexpr double kSlowFrom = 2.5;  ///< spread without haste, of the step
   return step;
 }
 
+/// The steps where the path leads up or down a slope: from 6 to 9° feet lose the speed that descents gain by (step 9).
+/// @param sine  of the slope
+[[nodiscard]] inline StepParams on_slope(StepParams step, double sine) noexcept {
+  constexpr double kGentle = 0.10, kSteep = 0.15;
+  const double gentle = std::clamp((kSteep - std::abs(sine)) / (kSteep - kGentle), 0.0, 1.0);
+  step.descent = 1.0 + (step.descent - 1.0) * gentle;
+  return step;
+}
+
 /// Ground on which a free gait becomes very_rough_gait(): a spread of at least 2.3 step heights, (step 8).
 /// \param spread  of late, as remembered_spread() [m]
 [[nodiscard]] inline bool very_rough(double spread, const StepParams& step) noexcept {

@@ -64,6 +64,16 @@ TEST(OnGuessedGround, DescendsFasterWherePrintsDifferByMoreThanTheClearance) {
   EXPECT_NEAR(on_guessed_ground(kStep, 0.131).descent, 1.4, 1e-12);
 }
 
+// Up or down: all of it up to a sine of 0.10, none from 0.15 on.
+TEST(OnSlope, DescendsNoFasterWhereThePathIsSteep) {
+  for (const double sense : {1.0, -1.0}) {
+    EXPECT_EQ(on_slope(kStep, sense * 0.099).descent, kStep.descent);
+    EXPECT_NEAR(on_slope(kStep, sense * 0.125).descent, 1.2, 1e-12);
+    EXPECT_EQ(on_slope(kStep, sense * 0.151).descent, 1.0);
+  }
+  EXPECT_EQ(on_slope(kStep, 1.0).haste, kStep.haste);
+}
+
 // From a spread of 0.065 m on, all of it from 0.095 m on.
 TEST(OnGuessedGround, TouchesDownFasterAndStepsFarther) {
   StepParams step = kStep;

@@ -357,7 +357,7 @@ StepParams Walker::steps_here() const noexcept {
   if (wave || crawls() || slides)
     step.haste = step.descent = step.touchdown = 1.0;
   else
-    step = on_guessed_ground(step, print_spread_);
+    step = on_slope(on_guessed_ground(step, print_spread_), climb());
   // Feet that slide sideways as they stand catch on what low steps don't clear.
   if (!wave && !slides) step = on_ground(step, spread_);
   // A foot whose drives lag by more of its swing runs into the ground, or seems blocked; one that descends fast

@@ -122,6 +122,7 @@ class Walker {
   };
   [[nodiscard]] AskedBalance asked_balance() const noexcept;
   [[nodiscard]] double late() const noexcept;
+  [[nodiscard]] double climb() const noexcept;
   [[nodiscard]] double descent() const noexcept;
   [[nodiscard]] Vector3 balanced_mass() const noexcept;
   [[nodiscard]] double balance_margin() const noexcept;

@@ -49,13 +49,15 @@ double Walker::late() const noexcept {
   return lateness(executor_.least_drive_lag(), kPrompt * params_.executor.swing.lift_time);
 }
 
-// Sine of how steeply the path leads down very rough ground; 0 on other ground.
-double Walker::descent() const noexcept {
+// Sine of how steeply the path leads up, as the body lies.
+double Walker::climb() const noexcept {
   const Vector2& way = record_.arc.per_metre.v;
   const double length = way.norm();
-  if (!record_.very_rough || !(length > 0.0)) return 0.0;
-  return -record_.state.X_OB.R.row(2).head<2>().dot(way) / length;
+  return length > 0.0 ? record_.state.X_OB.R.row(2).head<2>().dot(way) / length : 0.0;
 }
+
+// The same of how steeply it leads down very rough ground; 0 on other ground.
+double Walker::descent() const noexcept { return record_.very_rough ? -climb() : 0.0; }
 
 // Centre of mass by which the robot keeps its balance, (balance 2).
 Vector3 Walker::balanced_mass() const noexcept {

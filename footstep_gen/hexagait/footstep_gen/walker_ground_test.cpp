@@ -215,6 +215,40 @@ double stairs(const Vector2& p_O) {
   return Sense * 0.17 * std::max(0.0, std::floor((p_O.x() - 0.75) / 0.29) + 1.0);
 }
 
+/// Height of the ground with a single step of 17 cm at x = 0.75 m, up (1) or down (−1) [m].
+template <int Sense>
+double single_step(const Vector2& p_O) {
+  return p_O.x() > 0.75 ? Sense * 0.17 : 0.0;
+}
+
+// (step 9) The prints differ as much before the body is tilted as after.
+TEST(Walker, DescendsFasterUntilItsPathIsSteep) {
+  int level = 0, steep = 0;
+  for (const auto ground : {single_step<1>, single_step<-1>}) {
+    Walk walk(argos(), 0.0);
+    walk.plant.ground = ground;
+    const double height = walk.walker.params().step.height;
+    for (int k = 0; k < 20000 && walk.place().x() < 2.0; ++k) {
+      const TickRecord& record =
+          walk.walker.tick(PlantStatus::fresh, walk.plant.measurement, Heading::straight(0.0));
+      walk.plant.follow(record, kDt);
+      if (height_spread(record.state.print_O) < 1.2 * height) continue;
+      const double sine = std::abs(record.state.X_OB.R(2, 0));
+      for (LegId i = 0; i < 6; ++i) {
+        if (!record.lifts.contains(i)) continue;
+        if (sine < 0.10) ++level;
+        if (sine > 0.15) ++steep;
+        const double descent = record.footsteps[i].descent;
+        EXPECT_TRUE(sine > 0.10 || descent > 1.1) << descent;
+        EXPECT_TRUE(sine < 0.15 || descent == 1.0) << descent;
+      }
+    }
+    EXPECT_GE(walk.place().x(), 2.0);
+  }
+  EXPECT_GT(level, 4);
+  EXPECT_GT(steep, 4);
+}
+
 /// How far inside the support polygon the centre of mass is left by the base that goes on over stairs, at least; of
 /// the stability margin.
 double least_inside(double (*ground)(const Vector2&), bool inertial_unit) {
