@@ -12,7 +12,10 @@ inline constexpr double kHeight = 0.3;  // of the body over the feet [m]
 /// Six feet 0.3 m below the body, where a hexapod has them.
 inline LegArray<Vector3> six_feet() {
   LegArray<Vector3> p_BF(6);
-  for (LegId i = 0; i < 6; ++i) p_BF[i] = {0.5 - 0.5 * (i / 2), i % 2 == 0 ? 0.4 : -0.4, -kHeight};
+  for (LegId i = 0; i < 6; ++i) {
+    const int row = i / 2;
+    p_BF[i] = {0.5 - 0.5 * row, i % 2 == 0 ? 0.4 : -0.4, -kHeight};
+  }
   return p_BF;
 }
 
