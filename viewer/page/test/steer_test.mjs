@@ -229,8 +229,7 @@ describe("things to try", () => {
   test("Backspace begins again, as it began", async () => {
     await reset();
     assert.equal((await page.evaluate(() => window.hexagait.scene())).terrain, "boxes:0.04");
-    const f = await frameOf(page);
-    assert.ok(f.moving && Math.abs(f.rho / f.k - 3) < 0.01);
+    await until(page, (f) => f.moving && Math.abs(f.rho / f.k - 3) < 0.01);
   });
 });
 
