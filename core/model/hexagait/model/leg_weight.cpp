@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <hexagait/model/detail/turned.hpp>
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/model/leg_weight.hpp>
 
@@ -13,12 +14,6 @@ Matrix3 inertia_about(const Vector3& p_BM, const LinkModel& link, const Pose& X_
          link.mass * (arm.squaredNorm() * Matrix3::Identity() - arm * arm.transpose());
 }
 
-// v turned by `angle` about a unit vector (Rodrigues).
-Vector3 turned(const Vector3& v, const Vector3& axis, double angle) {
-  const auto [s, c] = portable::sincos(angle);
-  return c * v + s * axis.cross(v) + ((1.0 - c) * axis.dot(v)) * axis;
-}
-
 // First moment of mass of a leg. From the foot inwards, each joint turns all that is beyond it, as it is with the
 // joints farther in at zero.
 Vector3 first_moment(const LegModel& leg, const LegJoints& q) {
@@ -29,7 +24,8 @@ Vector3 first_moment(const LegModel& leg, const LegJoints& q) {
     mass += link.mass;
     moment_B += link.mass * (link.X_BL0 * link.p_LM);
     const Vector3 at_joint = mass * leg.p_BJ0[i];
-    moment_B = at_joint + turned(moment_B - at_joint, leg.axis_B0[i], q[i]);
+    const auto [sine, cosine] = portable::sincos(q[i]);
+    moment_B = at_joint + detail::turned(moment_B - at_joint, leg.axis_B0[i], cosine, sine);
   }
   return moment_B;
 }
@@ -40,7 +36,8 @@ LegWeight leg_weight(const LegModel& leg, const LegJoints& q, const Vector3& g_u
   const int joints = leg.num_joints();
   JointArray<Vector3> p_BJ(joints), axis_B(joints), moment_B(joints);
 
-  Pose X_BB0;  // displacement of a link from its pose with all joints at zero
+  // From the hip outwards: joints and centres of mass of the links.
+  Pose X_BB0;  // displacement of the present link from its pose with all joints at zero
   for (int i = 0; i < joints; ++i) {
     p_BJ[i] = X_BB0 * leg.p_BJ0[i];
     axis_B[i] = X_BB0.R * leg.axis_B0[i];

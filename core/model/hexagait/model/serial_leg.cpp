@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <hexagait/math/trigonometry.hpp>
+#include <hexagait/model/detail/turned.hpp>
 #include <hexagait/model/serial_leg.hpp>
 
 namespace hexagait {
@@ -16,11 +17,6 @@ constexpr double kLeastRoom = 0.25;   // a joint at its limit in the stance move
 constexpr double kSlack = 1e-3;       // foot motion allowed to null-space steps, of max_reach
 constexpr double kNoise = 1e-14;      // rounding of J Jᵀ, of max_reach²
 
-/// v rotated about the unit vector a (Rodrigues).
-Vector3 turned(const Vector3& v, const Vector3& a, double c, double s) {
-  return c * v + s * a.cross(v) + ((1.0 - c) * a.dot(v)) * a;
-}
-
 /// Calls f(i, â_i, p̂_i) for each joint (leg 2).
 /// @returns the displacement of the last link from its pose with all joints at zero
 template <class F>
@@ -30,7 +26,8 @@ Pose for_each_joint(const LegModel& leg, const LegTrig& trig, F f) {
     const Vector3 &a = leg.axis_B0[i], &p = leg.p_BJ0[i];
     f(i, Vector3(X.R * a), Vector3(X * p));
     Matrix3 R;
-    for (int k = 0; k < 3; ++k) R.col(k) = turned(Vector3::Unit(k), a, trig.c[i], trig.s[i]);
+    for (int k = 0; k < 3; ++k)
+      R.col(k) = detail::turned(Vector3::Unit(k), a, trig.c[i], trig.s[i]);
     X = X * rotation_about(p, R);
   }
   return X;
@@ -185,7 +182,7 @@ LegTrig SerialLeg::leg_trig(const LegModel& leg, const LegJoints& q) noexcept {
 Vector3 SerialLeg::foot_position(const LegModel& leg, const LegTrig& trig) noexcept {
   Vector3 p = leg.p_BF0;
   for (int i = leg.num_joints() - 1; i >= 0; --i)
-    p = leg.p_BJ0[i] + turned(p - leg.p_BJ0[i], leg.axis_B0[i], trig.c[i], trig.s[i]);
+    p = leg.p_BJ0[i] + detail::turned(p - leg.p_BJ0[i], leg.axis_B0[i], trig.c[i], trig.s[i]);
   return p;
 }
 

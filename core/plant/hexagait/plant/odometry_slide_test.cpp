@@ -4,6 +4,7 @@
 
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/plant/odometry.hpp>
+#include <hexagait/plant/testing/point_feet.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <testing/control_period.hpp>
 #include <testing/round_params.hpp>
@@ -15,16 +16,12 @@ using testing::kDt;
 
 // Six point feet; joints play no part.
 struct SixFeet {
-  RobotModel model;
-  RobotState state;
+  RobotModel model = testing::point_footed(6);
+  RobotState state = testing::standing(LegArray<Vector3>(6));
   Odometry odometry{model, testing::round_params().tolerance};
   LegArray<double> footing{6, 1.0};
 
   SixFeet() {
-    model.legs = LegArray<LegModel>(6);
-    state.q = LegArray<LegJoints>(6, LegJoints::Zero());
-    state.trig = LegArray<LegTrig>(6);
-    state.p_BF = LegArray<Vector3>(6);
     for (LegId i = 0; i < 6; ++i) state.p_BF[i] = {0.5 - 0.2 * i, i % 2 == 0 ? 0.4 : -0.4, -0.3};
     odometry.reset(state);
   }
