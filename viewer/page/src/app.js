@@ -34,7 +34,7 @@ class App {
     this.link = new Link();
     this.stopped = null;  // client of the emergency stop that lasts
     this.world = new World($("world"));
-    this.steering = new Steering((command) => { this.away = false; this.timeline?.toNow(); this.link.send(command); });
+    this.steering = new Steering((command) => this.drive(command));
     this.panels = new Panels(this.link, this.steering);
     this.steering.isOnPath = () => Boolean(this.frame?.follows);
     this.sketch = new Sketch(this.world, (path) => this.steering.follow(path));
@@ -211,6 +211,13 @@ class App {
   }
 
   choose(leg) { if (leg >= 0 && leg < (this.names?.length ?? 0)) this.panels.faults.choose(this.chosen = leg); }
+
+  drive(command) {
+    this.away = false;
+    this.timeline?.toNow();
+    this.link.send(command);
+    if (this.stopped !== null) this.steering.forget();  // it is refused: after the release nothing goes by itself
+  }
 
   /** The robot was stopped because this page was silent: after a hiccup it goes on; after long, or when the
    *  page was out of sight, only when the person steers again. */
