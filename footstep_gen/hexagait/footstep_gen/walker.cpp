@@ -382,6 +382,7 @@ double Walker::share_to_come(LegId leg) const noexcept {
 }
 
 void Walker::execute() noexcept {
+  executor_.set_staying(beside_steps());
   record_.targets = executor_.advance(record_.state, params_.control_dt);
   if (executor_.failed()) stop(Fault::bad_command);
   record_.base_goal = executor_.base_goal();

@@ -107,6 +107,7 @@ class Walker {
   void find_deadlock() noexcept;
   void decide() noexcept;
   [[nodiscard]] LegSet may_crawl() const noexcept;
+  [[nodiscard]] LegSet beside_steps() const noexcept;
   LiftGateDecision gate() noexcept;
   [[nodiscard]] LegSet steady(LegSet legs) const noexcept;
   [[nodiscard]] double last_lift() const noexcept;

@@ -109,6 +109,14 @@ LegSet Walker::may_crawl() const noexcept {
   return without(support, gait_state::neighbours_of(without(LegSet::all(n), support), ring()));
 }
 
+// Legs that begin no step when they lose their contact, by rule 1: a neighbour is up. They don't wait for one on its
+// way down, which may look for the ground for long.
+LegSet Walker::beside_steps() const noexcept {
+  LegSet up;
+  for (LegId i = 0; i < model_->num_legs(); ++i) up.set(i, is_up(executor_.legs()[i].phase));
+  return gait_state::neighbours_of(up, ring());
+}
+
 LiftGateDecision Walker::gate() noexcept {
   const int n = model_->num_legs();
   const Matrix3& R_OB = record_.state.X_OB.R;

@@ -338,5 +338,38 @@ TEST(Walker, KeepsToTheSpeedOfAVelocityCommand) {
   EXPECT_NEAR(walk.plant.X_OB.p.x(), 1.0, 0.1);
 }
 
+// Rule 1. While RF is up, LF beside it loses its contact and is held where it is, as a foot on the edge of a stair's tread.
+// The four others carry the robot.
+TEST(Walker, BeginsNoStepForLostContactBesideAStep) {
+  constexpr LegId kLF = 0, kRF = 1;
+  WalkerParams params;
+  params.stepper = {.stepping = gait_state::Stepping::wave, .duty_factor = 0.8};
+  params.finds_faults = false;  // it would take the contact sensor for broken
+  Walk walk(argos(), 0.0, 0, params);
+  bool held = false;
+  int waits = 0, begins_after = 0;
+  LegJoints stuck;
+  for (int k = 0; k < 20000 && begins_after == 0; ++k) {
+    if (held) {
+      walk.plant.measurement.contact[kLF] = false;
+      walk.plant.measurement.q[kLF] = stuck;
+    }
+    const TickRecord& record =
+        walk.walker.tick(PlantStatus::fresh, walk.plant.measurement, Heading::straight(0.0));
+    const LegLane &lost = record.legs[kLF], &lifted = record.legs[kRF];
+    if (!held && record.lifts.contains(kRF)) held = true, stuck = record.measurement.q[kLF];
+    walk.plant.follow(record, kDt);
+    if (!held || !lost.regains) continue;
+    if (is_up(lifted.phase)) {
+      ASSERT_EQ(lost.phase, LegPhase::descend) << record.state.time;
+      ++waits;
+    } else if (lost.phase == LegPhase::retreat) {
+      ++begins_after;
+    }
+  }
+  EXPECT_GT(waits * kDt, 0.1);
+  EXPECT_EQ(begins_after, 1);
+}
+
 }  // namespace
 }  // namespace hexagait::footstep_gen

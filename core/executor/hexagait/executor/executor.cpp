@@ -284,12 +284,13 @@ void Executor::even_out_loads(const RobotState& state, double dt) noexcept {
     if (bears(i)) legs_[i].p_BF += share * (up_B.dot(off_[i]) - mean) * up_B;
 }
 
-// Would the robot fall without this leg, which has no contact where it stood?
+// Does a leg that has no contact where it stood have to stay there: is it told to, or would the robot fall without it?
 bool Executor::is_needed(LegId leg, const RobotState& state) const noexcept {
   if (!params_.swing.reflexes) return false;
   const LegLane& lane = legs_[leg];
   const bool lost = lane.phase == LegPhase::support && lane.without_contact > 0.0;
   if (!lost && !lane.regains) return false;
+  if (staying_.contains(leg)) return true;
   LegArray<Vector3> feet(legs_.size());
   LegSet others;
   for (LegId i = 0; i < legs_.size(); ++i) {

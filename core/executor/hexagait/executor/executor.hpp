@@ -86,6 +86,9 @@ class Executor {
   [[nodiscard]] LegSet lost() const { return lost_; }
   /// Lets all feet that are up descend at once, and not go on to their footholds.
   void put_down() noexcept;
+  /// Legs that begin no step of their own until told otherwise; after construction and reset() there are none.
+  /// One that loses its contact looks for it where it stands, and stays there if it is blocked.
+  void set_staying(LegSet legs) noexcept { staying_ = legs; }
   /// Where the centre of mass of a robot with all its legs is from now on [m]. Until then, and after
   /// construction, where the model has it in the nominal stance. reset() keeps it.
   void set_centre_of_mass(const Vector3& p_BM) noexcept { posture_shift_ = p_BM - model_->p_BM; }
@@ -196,7 +199,7 @@ class Executor {
   const RobotModel* model_;
   ExecutorParams params_;
   Stance stance_;
-  LegSet lost_;
+  LegSet lost_, staying_;
   Vector3 posture_shift_ = Vector3::Zero();  ///< of the centre of mass [m]
   Vector3 lost_shift_ = Vector3::Zero();     ///< of the centre of mass, with legs lost [m]
   LegArray<LegLane> legs_;

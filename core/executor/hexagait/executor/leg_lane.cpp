@@ -166,18 +166,17 @@ Vector3 descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X
   const bool found = sensed.contact && lane.cleared;
   if (found && wall) return climb_out(lane, sensed, X_OB), way_O;
   if (found) return land(lane, dt, params), way_O;
-  const bool blocked = !sensed.reachable || sensed.tracking_error > params.blocked_error;
+  const bool blocked = sensed.tracking_error > params.blocked_error;
   // It lost contact but not its load: its shin stands on something. It stays as it is while the robot needs it.
   const bool carries = sensed.off.dot(Vector3(X_OB.R.row(2))) > kCarries * params.blocked_error;
-  if (lane.regains && sensed.needed && (blocked || carries)) {
+  if (lane.regains && sensed.needed && sensed.reachable && (blocked || carries)) {
     stop(lane, dt, way_O);
     return way_O;
   }
   const bool deep = below > depth.beside_hole || (!sensed.reachable && below > depth.at_end);
-  const bool in_a_hole = deep && sensed.tracking_error <= params.blocked_error;
-  if (in_a_hole) return climb_out(lane, sensed, X_OB), way_O;
+  if (deep && !blocked) return climb_out(lane, sensed, X_OB), way_O;
   // What is in the way is not pushed: the robot would stand on its shin.
-  if (blocked) return retreat_closer(lane, sensed, X_OB, params), way_O;
+  if (blocked || !sensed.reachable) return retreat_closer(lane, sensed, X_OB, params), way_O;
 
   // Straight down over the last centimetres, so that the foot does not slide.
   const bool committed = height < lane.step.p_OT.z() + params.commit_height;

@@ -91,7 +91,7 @@ struct LegSensed {
   double tracking_error = 0.0;    ///< distance from where a drive with lag has its foot [m]
   bool reachable = true;          ///< the last set point was within the leg's reach
   Vector3 off = Vector3::Zero();  ///< from the set point to the measured foot, body frame [m]
-  bool needed = false;  ///< without this leg the centre of mass is not over the feet that stand
+  bool needed = false;            ///< it is to stay, or without it the robot would fall
 };
 
 /// The parameters of a swing that is `haste` times as fast, (swing 4): the same motion, but for what the

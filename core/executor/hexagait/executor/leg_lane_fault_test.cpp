@@ -196,7 +196,7 @@ TEST(Coasting, ChangesNoVelocityFasterThanTheBrakeAndEndsAtRest) {
 struct Leaning {
   SwingParams params = testing::round_params().swing;
   LegLane lane;
-  bool needed = true;
+  bool needed = true, reachable = true;
   double up = 0.0;              // [m]
   double tracking_error = 0.0;  // [m]
 
@@ -205,8 +205,12 @@ struct Leaning {
     constexpr double kDt = 0.002;
     for (int k = 0; k * kDt < seconds; ++k) {
       sense(lane, false, kDt, params);
-      advance(lane, {.tracking_error = tracking_error, .off = {0.0, 0.0, up}, .needed = needed}, {},
-              kDt, params);
+      advance(lane,
+              {.tracking_error = tracking_error,
+               .reachable = reachable,
+               .off = {0.0, 0.0, up},
+               .needed = needed},
+              {}, kDt, params);
     }
   }
 };
@@ -242,6 +246,16 @@ TEST(LostContact, DoesNotRetreatWhileTheRobotNeedsTheLeg) {
   leg.needed = false;
   leg.tick(0.1);
   EXPECT_EQ(leg.lane.retreats, 1);
+}
+
+// At the end of the leg it carries nothing and will not.
+TEST(LostContact, EndsInAHoleWhoeverNeedsTheLeg) {
+  Leaning leg;
+  leg.tick(1.2 * leg.params.regain_time);
+  EXPECT_EQ(leg.lane.retreats, 0);
+  leg.reachable = false;
+  leg.tick(0.1);
+  EXPECT_GT(leg.lane.retreats, 0);
 }
 
 }  // namespace
