@@ -55,7 +55,7 @@ test("the red button is in sight, stops the robot, and another one releases it",
   await eventually(page, () => page.evaluate(() => window.notices), (all) => all.some((words) => /release it first/.test(words)));
   assert.equal((await frameOf(page)).fault, kEmergencyStop);
   await page.locator("#release-estop").click();
-  await until(page, (f) => f.fault === 0);
+  await until(page, (f) => f.fault === 0 && !f.moving);
   await page.locator("#stopped").waitFor({ state: "hidden" });
   await page.evaluate(() => { for (const end = performance.now() + 800; performance.now() < end;); });  // no beat
   const { tick } = await until(page, (f) => f.silent);
