@@ -53,7 +53,7 @@ inline void round_steps(RobotParams& p) {
 
 inline void round_body(RobotParams& p) {
   p.base.acceleration = 1.2;
-  p.base.braking_distance = 0.005;
+  p.base.braking_distance = 0.002;
   p.base.max_speed = 0.60;
   p.base.advance_rate = 8.0;
   p.base.correction_rate = 2.0;

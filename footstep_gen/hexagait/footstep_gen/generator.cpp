@@ -285,7 +285,8 @@ BaseAutoCommand base_auto(const RobotModel& model, const PathArc& arc, const Exe
   if (!(executor.giving_way() & support).empty()) ahead = 0.0;
   const ExecutorParams& limits = executor.params();
   const PlanarTwist off = off_path(executor.base(), arc.per_metre, limits.base.outer_radius);
-  base.max_braking = braking_within(polygon, X_OB.R, off.v, params.lift_margin, limits.gravity);
+  base.max_braking =
+      braking_within(polygon, X_OB.R, off.v, params.stability_margin, limits.gravity);
   base.max_advance = ahead;
   base.min_advance = -back;
   base.correction = {share * correction.v + back_in, share * correction.w};

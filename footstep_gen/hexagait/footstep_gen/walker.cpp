@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <hexagait/executor/check_params.hpp>
+#include <hexagait/executor/lateness.hpp>
 #include <hexagait/executor/tick_motion.hpp>
-#include <hexagait/footstep_gen/detail/lateness.hpp>
 #include <hexagait/footstep_gen/detail/rear_edge.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/gait_state/ring.hpp>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <hexagait/footstep_gen/detail/lateness.hpp>
+#include <hexagait/executor/lateness.hpp>
 #include <hexagait/footstep_gen/detail/stance_from_above.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/model/leg_weight.hpp>

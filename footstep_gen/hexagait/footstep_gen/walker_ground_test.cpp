@@ -206,7 +206,7 @@ TEST(Walker, WaitsNoLongerIfLegsThatAreAheadStepMeanwhile) {
     }
     EXPECT_LT(longest, 6.0);
   }
-  EXPECT_GT(in_place, 20);
+  EXPECT_GT(in_place, 10);
 }
 
 /// Height of stairs of 17 × 29 cm, from x = 0.75 m on, up (1) or down (−1) [m].

@@ -156,7 +156,7 @@ class Executor {
     for (LegId i = 0; i < legs_.size(); ++i) support.set(i, legs_[i].supports(params_.swing));
     return support;
   }
-  /// Those of them that feel nothing at this moment, or whose foothold gives way.
+  /// Those of them that feel nothing, or have not yet for touch_time since they last did, or whose foothold gives way.
   [[nodiscard]] LegSet unsure() const noexcept;
   /// Legs whose foothold gives way: the foot slides, or rolls off an edge.
   [[nodiscard]] LegSet giving_way() const { return footholds_.giving_way(); }

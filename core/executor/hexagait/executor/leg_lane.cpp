@@ -64,6 +64,26 @@ void land(LegLane& lane, double dt, const SwingParams& params) {
   ramp(lane.load, 1.0, dt, params.load_time);
 }
 
+// Does it carry load without contact? Its shin stands on something, or its sensor is wrong.
+bool carries(const LegSensed& sensed, const Pose& X_OB, const SwingParams& params) {
+  return sensed.off.dot(Vector3(X_OB.R.row(2))) > kCarries * params.blocked_error;
+}
+
+// (swing 6). Else a foot that has bounced hangs a fraction of a millimetre above its ground until it counts as lost.
+void go_after_ground(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
+                     const SwingParams& params) {
+  if (sensed.contact || !sensed.reachable || carries(sensed, X_OB, params)) {
+    lane.v_O.setZero();
+    lane.a_O.setZero();
+    return;
+  }
+  const AxisMotion down =
+      slewing_tick(-lane.v_O.z(), sensed.pursuit, params.vertical_acceleration, dt);
+  lane.v_O.z() = -down.v;
+  lane.a_O.z() = -down.a;
+  lane.p_BF -= down.way * Vector3(X_OB.R.row(2));
+}
+
 void support(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
              const SwingParams& params) {
   const bool lost = lane.without_contact > params.lost_time;
@@ -78,6 +98,7 @@ void support(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB
   }
 
   ramp(lane.load, lost && !sensed.needed ? 0.0 : 1.0, dt, params.load_time);
+  if (params.reflexes) go_after_ground(lane, sensed, dt, X_OB, params);
   if (lane.without_contact > (lane.confirmed ? params.regain_time : params.lost_time)) {
     begin_step(lane, params.reflexes ? LegPhase::descend : LegPhase::search, X_OB);
     lane.cleared = lane.lost = lane.regains = true;
@@ -167,9 +188,9 @@ Vector3 descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X
   if (found && wall) return climb_out(lane, sensed, X_OB), way_O;
   if (found) return land(lane, dt, params), way_O;
   const bool blocked = sensed.tracking_error > params.blocked_error;
-  // It lost contact but not its load: its shin stands on something. It stays as it is while the robot needs it.
-  const bool carries = sensed.off.dot(Vector3(X_OB.R.row(2))) > kCarries * params.blocked_error;
-  if (lane.regains && sensed.needed && sensed.reachable && (blocked || carries)) {
+  // It lost contact but not its load: it stays as it is while the robot needs it.
+  const bool bears = blocked || carries(sensed, X_OB, params);
+  if (lane.regains && sensed.needed && sensed.reachable && bears) {
     stop(lane, dt, way_O);
     return way_O;
   }
@@ -295,6 +316,8 @@ void command(LegLane& lane, const FootstepCommand& step, const Pose& X_OB) noexc
   lane.step = step;
   if (!starts) return;
   lane.after_unload = LegPhase::lift;
+  lane.v_O.setZero();
+  lane.a_O.setZero();
   begin_step(lane, LegPhase::unload, X_OB);
   lane.haste = step.haste;
 }

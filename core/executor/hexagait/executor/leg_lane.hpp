@@ -92,6 +92,8 @@ struct LegSensed {
   bool reachable = true;          ///< the last set point was within the leg's reach
   Vector3 off = Vector3::Zero();  ///< from the set point to the measured foot, body frame [m]
   bool needed = false;            ///< it is to stay, or without it the robot would fall
+  double pursuit =
+      0.0;  ///< speed at which it goes after its ground as it stands without contact [m/s]
 };
 
 /// The parameters of a swing that is `haste` times as fast, (swing 4): the same motion, but for what the

@@ -71,7 +71,7 @@ constexpr Parameter kParameters[] = {
 
     {"base.acceleration", "m/s²", 0.036, tipping,
      [](P& p) -> double& { return p.base.acceleration; }},
-    {"base.braking_distance", "m", 0.005, size,
+    {"base.braking_distance", "m", 0.002, size,
      [](P& p) -> double& { return p.base.braking_distance; }},
     {"base.max_speed", "m/s", 0.88, speed, [](P& p) -> double& { return p.base.max_speed; }},
     {"base.advance_rate", "1/s", 2.6, rate, [](P& p) -> double& { return p.base.advance_rate; }},

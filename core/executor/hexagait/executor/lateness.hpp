@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace hexagait::footstep_gen {
+namespace hexagait {
 
 /// How late drives are: 0 up to the lag of prompt ones, 1 from twice that on, and linear between.
 /// @param lag     of the drives [s]
@@ -13,4 +13,4 @@ namespace hexagait::footstep_gen {
   return std::clamp(lag / prompt - 1.0, 0.0, 1.0);
 }
 
-}  // namespace hexagait::footstep_gen
+}  // namespace hexagait
