@@ -234,7 +234,7 @@ Verdict judge_sharp_changes(std::span<const Walk> walks) {
           .checks = {
               none_stuck(walks), to_the_end(walks),
               Check({"farthest from the path, worst change", "cm", worst(walks, off)}, at_most(2.0))
-                  .expected_to_fail(between(2.0, 4.5), kPolygon),
+                  .expected_to_fail(between(2.0, 4.0), kPolygon),
               Check({"least stability margin of all", "cm", statistics::least(each(walks, margin))},
                     at_least(0.0))
                   .expected_to_fail(between(-30.0, 0.0), kBounces)}};

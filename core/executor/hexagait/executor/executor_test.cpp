@@ -321,6 +321,21 @@ TEST(Executor, IsUnsureOfAFootholdThatGivesWay) {
   EXPECT_TRUE(scene.executor.support().contains(3)) << "it carries its load still";
 }
 
+// A foot that has bounced may bounce again: no neighbour lifts until its contact has lasted. A robot that is put down stands.
+TEST(Executor, IsUnsureOfAFootThatHasJustTouchedAgain) {
+  Scene scene(argos());
+  EXPECT_TRUE(scene.executor.unsure().empty());
+  const auto sensed = [&scene](bool contact) {
+    scene.state.contact[3] = contact;
+    scene.executor.sense(scene.state, kDt);
+    return scene.executor.unsure();
+  };
+  EXPECT_EQ(sensed(false), LegSet(0b001000));
+  const int ticks = static_cast<int>(std::lround(scene.executor.params().swing.touch_time / kDt));
+  for (int tick = 0; tick < ticks; ++tick) EXPECT_EQ(sensed(true), LegSet(0b001000)) << tick;
+  EXPECT_TRUE(sensed(true).empty());
+}
+
 // A foothold a metre away, and an apex of a metre: the set point ends where the leg does, is where
 // the joints are, and comes back at once when the next command is within reach.
 TEST(Executor, NeverWindsASetPointUpBeyondTheLegsReach) {
