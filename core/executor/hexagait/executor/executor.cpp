@@ -271,7 +271,7 @@ LegSet Executor::unsure() const noexcept {
   for (LegId i = 0; i < legs_.size(); ++i) {
     const LegLane& lane = legs_[i];
     const bool touches =
-        lane.without_contact <= 0.0 && lane.with_contact >= params_.swing.touch_time;
+        lane.without_contact <= 0.0 && elapsed(lane.with_contact, params_.swing.touch_time);
     unsure.set(i, lane.supports(params_.swing) && (!touches || giving_way().contains(i)));
   }
   return unsure;

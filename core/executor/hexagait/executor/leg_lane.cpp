@@ -16,9 +16,6 @@ constexpr double kCarries = 0.1;
 // way, so that it does not run into the end of a joint beyond.
 constexpr double kCoasting = 2.0;
 
-// Has a timer that counts in control periods reached its time?
-bool elapsed(double time, double limit) { return time > limit - kTimeTolerance; }
-
 // The parameters of the present step.
 SwingParams params_here(const LegLane& lane, const SwingParams& at_ease) {
   SwingParams params = hastened(at_ease, lane.haste);

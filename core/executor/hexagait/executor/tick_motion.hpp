@@ -16,6 +16,11 @@ inline constexpr double kMinTimeToGo = 0.05;
 /// The instants of timers are multiples of the control period; this covers their rounding [s].
 inline constexpr double kTimeTolerance = 1e-9;
 
+/// Has a timer that counts in control periods reached its time?
+[[nodiscard]] constexpr bool elapsed(double time, double limit) noexcept {
+  return time > limit - kTimeTolerance;
+}
+
 /// Motion along one axis.
 struct AxisMotion {
   double way = 0.0;  ///< displacement in the tick [m]
