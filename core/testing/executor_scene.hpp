@@ -16,6 +16,7 @@ struct Scene {
   Executor executor;
   RobotState state;
 
+  explicit Scene(const RobotModel&&) = delete;
   explicit Scene(const RobotModel& robot) : model(robot), executor(robot, round_executor()) {
     const int n = robot.num_legs();
     state.q = LegArray<LegJoints>(n);

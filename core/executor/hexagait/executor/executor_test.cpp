@@ -323,7 +323,8 @@ TEST(Executor, IsUnsureOfAFootholdThatGivesWay) {
 
 // A foot that has bounced may bounce again: no neighbour lifts until its contact has lasted. A robot that is put down stands.
 TEST(Executor, IsUnsureOfAFootThatHasJustTouchedAgain) {
-  Scene scene(argos());
+  const RobotModel model = argos();
+  Scene scene(model);
   EXPECT_TRUE(scene.executor.unsure().empty());
   const auto sensed = [&scene](bool contact) {
     scene.state.contact[3] = contact;
