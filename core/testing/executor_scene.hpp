@@ -41,12 +41,12 @@ struct Scene {
     }
   }
 
-  void tick() {
-    state.q = executor.advance(state, kDt).q;
+  void tick(double dt = kDt) {
+    state.q = executor.advance(state, dt).q;
     const Twist V = executor.base().twist();
     const Matrix3& R = state.X_OB.R;
-    state.X_OB = {R * rotation(V.w * kDt),
-                  state.X_OB.p + R * (kDt * V.v + 0.5 * kDt * kDt * V.w.cross(V.v))};
+    state.X_OB = {R * rotation(V.w * dt),
+                  state.X_OB.p + R * (dt * V.v + 0.5 * dt * dt * V.w.cross(V.v))};
     sense();
   }
 };

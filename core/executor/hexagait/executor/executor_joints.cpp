@@ -10,10 +10,12 @@ namespace hexagait {
 namespace {
 
 // A set point in the air that is out of reach, or too fast for the joints, goes no farther than the foot
-// can; else it would run away from it, and take as long to come back.
+// can; else it would run away from it, and take as long to come back. If it is braking it goes on to: from no
+// acceleration it would begin anew each tick, and the shorter the period the less it would brake.
 void take_back(LegLane& lane, const Vector3& p_BF, const Pose& X_OB, double dt) {
   lane.v_O += X_OB.R * (p_BF - lane.p_BF) / dt;
-  lane.a_O.setZero();
+  for (int k = 0; k < 3; ++k)
+    if (lane.a_O[k] * lane.v_O[k] > 0.0) lane.a_O[k] = 0.0;
   lane.p_BF = p_BF;
 }
 
