@@ -172,8 +172,8 @@ TEST(BaseCommand, IsMovedFartherInOnlyAsLegsReach) {
   }
 }
 
-// The zero-moment point may go to `stability_margin` from the front edge, and no farther: from the centre of
-// mass at 0 by 0.35 − 0.03 m. It is ahead by height × deceleration / g.
+// The zero-moment point may go to 1.5 times `stability_margin` from the front edge, and no farther: from the centre of
+// mass at 0 by 0.35 − 0.045 m. It is ahead by height × deceleration / g.
 TEST(BaseCommand, BrakesAsHardAsTheSupportPolygonAllows) {
   StandingRobot stance;
   stance.robot.p_BM = {0.0, 0.0, 0.0};
@@ -197,7 +197,7 @@ TEST(BaseCommand, BrakesAsHardAsTheSupportPolygonAllows) {
   ASSERT_GT(stance.executor.base().planar.v.x(), 0.01);
   const double x_front = stance.executor.legs()[0].p_BF.x();
   const double height = -stance.executor.legs()[0].p_BF.z();
-  EXPECT_NEAR(braking(), 9.81 * (x_front - 0.03) / height, 1e-6);
+  EXPECT_NEAR(braking(), 9.81 * (x_front - 0.045) / height, 1e-6);
 }
 
 TEST(BaseCommand, WaitsWhileAFootholdGivesWay) {

@@ -39,6 +39,10 @@ void leave_bad_footholds(gait_state::GaitInput& input, const Executor& executor)
     if (bad.contains(i)) input.lag[i] += most - least + executor.stance().radius[i];
 }
 
+// Stability margins that a sharp change of heading leaves: the legs in the air change their way as well, and take the
+// zero-moment point with them.
+constexpr double kBrakingMargin = 1.5;
+
 // Fraction of its workspace radius that a support leg may use before the base waits for it.
 constexpr double kUsableShare = 0.98;
 
@@ -187,6 +191,11 @@ Vector3 within_reach(const LegModel& leg, const Vector3& p_BC, double radius,
   return p_BC + reached * (to_BF - p_BC);
 }
 
+// [m of path]
+double half_step_of(const Stance& stance, LegId leg, double half_step) {
+  return std::min(half_step, 0.5 * stance.radius[leg]);
+}
+
 }  // namespace
 
 double nominal_step_time(const SwingParams& swing, const StepParams& step) noexcept {
@@ -232,8 +241,7 @@ double path_to_come(const PathArc& arc, const Executor& executor, double half_st
 FootstepCommand footstep(const RobotModel& model, const Stance& stance, const PathArc& arc,
                          const RobotState& state, LegId leg, double half_step, double to_come,
                          const StepParams& params, const Pose* X_BG) noexcept {
-  const double reach = 0.5 * stance.radius[leg];
-  const Vector3 aep_GF = aep(arc, leg, std::min(half_step, reach) + to_come);
+  const Vector3 aep_GF = aep(arc, leg, half_step_of(stance, leg, half_step) + to_come);
   const Vector3 aep_BF = X_BG ? *X_BG * aep_GF : aep_GF;
   const double start_z = state.print_O[leg].z();
   double highest_z = start_z;
@@ -247,7 +255,14 @@ FootstepCommand footstep(const RobotModel& model, const Stance& stance, const Pa
   step.haste = params.haste;
   step.descent = params.descent;
   step.touchdown = params.touchdown;
+  step.slow_way = params.slow_way;
   return step;
+}
+
+double to_come_coming_down(const Stance& stance, LegId leg, double half_step, double to_come,
+                           const StepParams& params) noexcept {
+  const double inside = stance.radius[leg] - half_step_of(stance, leg, half_step);
+  return to_come - (1.0 - params.overreach) * std::max(0.0, to_come - inside);
 }
 
 BaseAutoCommand base_auto(const RobotModel& model, const PathArc& arc, const Executor& executor,
@@ -285,8 +300,8 @@ BaseAutoCommand base_auto(const RobotModel& model, const PathArc& arc, const Exe
   if (!(executor.giving_way() & support).empty()) ahead = 0.0;
   const ExecutorParams& limits = executor.params();
   const PlanarTwist off = off_path(executor.base(), arc.per_metre, limits.base.outer_radius);
-  base.max_braking =
-      braking_within(polygon, X_OB.R, off.v, params.stability_margin, limits.gravity);
+  base.max_braking = braking_within(polygon, X_OB.R, off.v,
+                                    kBrakingMargin * params.stability_margin, limits.gravity);
   base.max_advance = ahead;
   base.min_advance = -back;
   base.correction = {share * correction.v + back_in, share * correction.w};

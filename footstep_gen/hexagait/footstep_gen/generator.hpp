@@ -39,6 +39,12 @@ namespace hexagait::footstep_gen {
                                        const StepParams& params,
                                        const Pose* X_BG = nullptr) noexcept;
 
+/// The advance to come of a foot on its way down, which lands before the base has made all of it: on level ground
+/// no more than until the foot leaves its workspace, (step 10).
+/// @param half_step, to_come  as in footstep() [m of path]
+[[nodiscard]] double to_come_coming_down(const Stance& stance, LegId leg, double half_step,
+                                         double to_come, const StepParams& params) noexcept;
+
 /// The motion of the base: along the path as the legs allow ([PC04] 4), parallel to the ground
 /// under the feet, and back to the commanded curve; limited by the workspaces of the support legs
 /// and by the edges of the support polygon, which is projected along gravity. On two feet the base

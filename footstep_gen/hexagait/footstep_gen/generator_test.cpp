@@ -85,6 +85,21 @@ TEST(FootstepOf, IsTheAnteriorExtremePositionTakenAlong) {
               1e-12);
 }
 
+// (step 10) With a workspace of 0.3 m and half a step of 0.1, 0.2 m of the advance to come are inside.
+TEST(ComingDown, CountsOnTheAdvanceInsideTheWorkspaceAndAShareOfTheRest) {
+  const Stance stance{LegArray<Vector3>(6, Vector3::Zero()), LegArray<double>(6, 0.3)};
+  const auto to_come = [&stance](double half_step, double asked, double overreach) {
+    StepParams params;
+    params.overreach = overreach;
+    return to_come_coming_down(stance, 1, half_step, asked, params);
+  };
+  for (const double overreach : {0.0, 0.4, 1.0}) EXPECT_EQ(to_come(0.1, 0.15, overreach), 0.15);
+  EXPECT_NEAR(to_come(0.1, 0.25, 0.0), 0.2, 1e-12);
+  EXPECT_NEAR(to_come(0.1, 0.25, 0.4), 0.22, 1e-12);
+  EXPECT_EQ(to_come(0.1, 0.25, 1.0), 0.25);
+  EXPECT_NEAR(to_come(9.0, 0.25, 0.0), 0.15, 1e-12) << "half a step is half the radius at most";
+}
+
 // Clearance 10 cm on the flat, also for the leg that stands highest; 0.7 more per metre by which
 // the highest footprint is above its own: 0.1 + 0.7 · 0.08 = 0.156; at most 0.22.
 TEST(FootstepOf, GoesHigherWhereAnotherFootStandsHigher) {

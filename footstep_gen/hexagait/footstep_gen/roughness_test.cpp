@@ -57,6 +57,37 @@ TEST(OnGround, IsInHasteWherePrintsDifferLittle) {
   EXPECT_EQ(on_ground(flat_feet, 0.0).haste, 1.0) << "no clearance, no haste";
 }
 
+// (step 10) Steps of 0.04 m in a haste of 1.6 become such of 0.028 m in one of 1.81, which touch down at the same speed
+// and are slow over 30 % of the way; none of it from a spread of 0.03 m on.
+TEST(OnLevelGround, TakesLowerStepsInMoreHasteThatTouchDownNoFaster) {
+  StepParams full = kStep;
+  full.touchdown = 1.5;
+  const auto level = [&full](double spread) {
+    return on_level_ground(on_ground(full, spread), spread, full);
+  };
+  EXPECT_NEAR(level(0.0).height, 0.028, 1e-12);
+  EXPECT_NEAR(level(0.0).haste, 1.81, 1e-12);
+  EXPECT_NEAR(level(0.0).haste * level(0.0).touchdown, 1.6 * full.touchdown, 1e-12);
+  EXPECT_NEAR(level(0.0).slow_way, 0.3, 1e-12);
+  EXPECT_NEAR(level(0.0).overreach, 0.0, 1e-12);
+  EXPECT_NEAR(level(0.015).height, 0.04 + 0.015 - 0.006, 1e-12);
+  EXPECT_NEAR(level(0.015).haste, 1.6 + 0.105, 1e-12);
+  EXPECT_NEAR(level(0.015).slow_way, 0.65, 1e-12);
+  EXPECT_NEAR(level(0.015).overreach, 0.5, 1e-12);
+  for (const double spread : {0.031, 0.2, 1.0}) {
+    EXPECT_EQ(level(spread).height, on_ground(full, spread).height) << spread;
+    EXPECT_EQ(level(spread).haste, on_ground(full, spread).haste) << spread;
+    EXPECT_EQ(level(spread).touchdown, full.touchdown) << spread;
+    EXPECT_EQ(level(spread).slow_way, 1.0) << spread;
+    EXPECT_EQ(level(spread).overreach, 1.0) << spread;
+  }
+  StepParams late = full;
+  late.haste = 1.0;
+  EXPECT_EQ(on_level_ground(late, 0.0, full).height, full.height) << "drives that lag";
+  EXPECT_EQ(on_level_ground(late, 0.0, full).slow_way, 1.0) << "drives that lag";
+  EXPECT_EQ(on_level_ground(late, 0.0, late).haste, 1.0) << "who asks for no haste";
+}
+
 // As fast as always up to a spread of 0.1 m, 1.4 times as fast from 0.13 m on.
 TEST(OnGuessedGround, DescendsFasterWherePrintsDifferByMoreThanTheClearance) {
   EXPECT_EQ(on_guessed_ground(kStep, 0.099).descent, 1.0);

@@ -322,7 +322,9 @@ void Walker::command() noexcept {
     if (lost_legs().contains(i)) continue;
     const bool in_air = executor_.legs()[i].phase != LegPhase::support;
     if (!in_air && !record_.lifts.contains(i)) continue;
-    const double to_come = share_to_come(i) * record_.path_to_come;
+    double to_come = share_to_come(i) * record_.path_to_come;
+    if (executor_.legs()[i].phase == LegPhase::descend)
+      to_come = to_come_coming_down(executor_.stance(), i, half_step, to_come, step);
     record_.footsteps[i] = footstep(*model_, executor_.stance(), record_.arc, record_.state, i,
                                     half_step, to_come, step, path_pose());
     if (!crawls()) keep_clear_of_holes(record_.footsteps[i], to_come);
@@ -367,7 +369,7 @@ StepParams Walker::steps_here() const noexcept {
   };
   step.haste = 1.0 + (step.haste - 1.0) * prompt(kHastyLag);
   step.descent = 1.0 + (step.descent - 1.0) * prompt(kDescendingLag);
-  return step;
+  return holes_.empty() ? on_level_ground(step, spread_, params_.step) : step;
 }
 
 // The legs of a wave land one after the other. The fraction of the advance still to come that the

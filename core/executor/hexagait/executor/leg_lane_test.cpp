@@ -275,6 +275,26 @@ TEST(Swing, TouchesDownFasterWhereTheHeightIsAGuess) {
   }
 }
 
+// (step 10) Slow from touchdown_margin above the ground on, or from that share of it.
+TEST(Swing, IsSlowOverAShareOfTheMargin) {
+  for (const double share : {1.0, 0.3}) {
+    Swing swing;
+    FootstepCommand step{0, kTarget, 0.1};
+    step.slow_way = share;
+    command(swing.lane, step, kBody);
+    double slow_from = 0.0;
+    swing.touches = [&](const Vector3& p) { return p.z() <= 0.0; };
+    swing.land([&] {
+      const double v = -swing.lane.v_O.z();
+      if (std::abs(v - swing.params.touchdown_speed) < 1e-6)
+        slow_from = std::max(slow_from, swing.foot().z());
+    });
+    EXPECT_NEAR(slow_from, share * swing.params.touchdown_margin,
+                2.0 * swing.params.touchdown_speed * kDt)
+        << share;
+  }
+}
+
 // The ground is gone: off the ground after lost_time, unloaded, and after regain_time the foot goes
 // down for it, straight.
 TEST(LostContact, CountsAsOffTheGroundAndThenGoesDownToFindIt) {

@@ -35,6 +35,11 @@ struct StepParams {
   /// How many times SwingParams::touchdown_speed feet have at the expected ground where its height is a
   /// guess, by (step 6); at least 1. Higher: faster over rough ground, and harder impacts there.
   double touchdown = kDerived;
+  /// Share of SwingParams::touchdown_margin over which feet are slow: 1, but on level ground, by (step 10).
+  double slow_way = 1.0;
+  /// Share of what lies beyond its workspace, of the advance to come, that a foot on its way down still counts on:
+  /// 1, but on level ground, by (step 10).
+  double overreach = 1.0;
   /// Clearance added per metre by which another foot's last footprint is higher [m/m]: after one
   /// step in the ground, others are likely. 0: the foot collides with edges higher than the
   /// clearance.

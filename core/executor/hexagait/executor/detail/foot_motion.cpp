@@ -77,7 +77,8 @@ void stop(LegLane& lane, double dt, Vector3& way_O) noexcept {
 
 void move_down(LegLane& lane, double height, double dt, const SwingParams& params,
                Vector3& way_O) noexcept {
-  const double above = height - lane.step.p_OT.z(), off = std::abs(above) - params.touchdown_margin;
+  const double above = height - lane.step.p_OT.z();
+  const double off = std::abs(above) - lane.step.slow_way * params.touchdown_margin;
   const double u0 = std::max(0.0, -lane.v_O.z());
   const double most_down = params.descent_speed;
   const double slow = faster(params.touchdown_speed, lane.step.touchdown, most_down);
