@@ -162,10 +162,11 @@ Vector3 swing(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_O
     land(lane, dt, params);
     return Vector3::Zero();
   }
+  const double left = (way - way_O.head<2>()).norm();  // when the next tick begins
   if (lane.phase == LegPhase::lift && sideways) {
     lane.phase = LegPhase::transfer;  // without enter(): lane.time still paces the rise
   } else if (lane.phase == LegPhase::transfer && !sensed.contact &&
-             time_to_go(lane, way.norm(), params) - 0.5 * dt < params.overlap_time &&
+             time_to_go(lane, left, params) - 0.5 * dt < params.overlap_time &&
              up < 0.3 * lane.step.profile_height) {
     enter(lane, LegPhase::descend);
   }

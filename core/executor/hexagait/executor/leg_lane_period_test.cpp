@@ -76,6 +76,22 @@ TEST(SwingPeriod, LandsAtTheSamePlaceAfterTheSameTime) {
   }
 }
 
+// A foot goes down in the tick that is nearest to its time: no later on average at long periods.
+TEST(SwingPeriod, DescendsNoLaterOnAverageAtAnyPeriod) {
+  constexpr int kSteps = 50;
+  const auto until_descent = [](double dt) {
+    double sum = 0.0;
+    for (int k = 0; k < kSteps; ++k) {
+      Step step(dt, along(0.5 + 0.3 * k / kSteps, 0.7), 0.1);
+      while (step.lane.phase != LegPhase::descend && step.t < 5.0) step.tick();
+      sum += step.lane.transfer_clock;
+    }
+    return sum / kSteps;
+  };
+  const double reference = until_descent(0.0005);
+  for (const double dt : kPeriods) EXPECT_NEAR(until_descent(dt), reference, 0.2 * dt) << dt;
+}
+
 // Whatever happens to the foot on the way: the target jumps by up to 5 cm and drifts, and something
 // knocks the set point by up to 3 mm. Minimum jerk over D in T has a peak speed of 1.875 D/T and a
 // peak acceleration of 5.774 D/T² per axis; a jump e of the target, or of the foot, with T left adds
