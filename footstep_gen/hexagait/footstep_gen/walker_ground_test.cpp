@@ -32,7 +32,8 @@ TEST(Walker, TakesLowerStepsOnLevelGround) {
   Walk walk(argos(), 0.0);
   walk.plant.ground = [](const Vector2& p_O) {
     const double along = 2.0 * std::numbers::pi * std::max(0.0, p_O.x() - 2.0) / 0.6;
-    return 0.04 * (1.0 - std::cos(along));  // smooth: no foot stands on an edge, from which it would fall
+    return 0.04 *
+           (1.0 - std::cos(along));  // smooth: no foot stands on an edge, from which it would fall
   };
   const StepParams& step = walk.walker.params().step;
   const auto footsteps = [&walk](double from, double to) {

@@ -70,6 +70,10 @@ void Executor::move_legs(const RobotState& state, double dt) noexcept {
   // (swing 6). A foot whose contact is known late would push itself into the ground, and others off it.
   const double prompt = 1.0 - lateness(lag_.lag() + dt, kPursuingLag * params_.swing.lift_time);
   const double pursuit = prompt * kPursuit * params_.swing.touchdown_speed;
+  // (swing 7). Legs that turn in the air turn together, and so land together.
+  double turn = 0.0;
+  for (const LegLane& lane : legs_)
+    turn = std::max(turn, turning_time(lane, state.X_OB, params_.swing));
   for (LegId i = 0; i < legs_.size(); ++i) {
     if (lost_.contains(i)) {
       tuck(i, dt);
@@ -78,8 +82,8 @@ void Executor::move_legs(const RobotState& state, double dt) noexcept {
     const double fastest = hastened_max_speed(params_.swing, legs_[i].haste);
     const double unknown = kUnknownLag * fastest * lag_.lag();
     const double error = std::max(0.0, lag_.error(i) - unknown);
-    const LegSensed sensed{state.contact[i],    error,  reachable_[i], off_[i],
-                           is_needed(i, state), pursuit};
+    const LegSensed sensed{state.contact[i],    error,   reachable_[i], off_[i],
+                           is_needed(i, state), pursuit, turn};
     const LegPhase before = legs_[i].phase;
     if (before == LegPhase::follow)
       follow(legs_[i], plans_[i], sensed, state.X_OB, dt, rate_, params_.swing);

@@ -148,7 +148,7 @@ Vector3 swing(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_O
   lane.cleared = lane.cleared || !sensed.contact;
 
   Vector3 way_O = Vector3::Zero();
-  if (sideways) move_sideways(lane, way, dt, params, way_O);
+  if (sideways) move_sideways(lane, way, sensed.turn, dt, params, way_O);
   move_to(lane, 2, up, rise_time(lane, params) - (lane.time - dt), dt, way_O);
 
   const bool blocked = (sensed.contact && elapsed(lane.with_contact, params.touch_time)) ||
@@ -162,11 +162,11 @@ Vector3 swing(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_O
     land(lane, dt, params);
     return Vector3::Zero();
   }
-  const double left = (way - way_O.head<2>()).norm();  // when the next tick begins
+  const Vector2 left = way - way_O.head<2>();  // when the next tick begins
   if (lane.phase == LegPhase::lift && sideways) {
     lane.phase = LegPhase::transfer;  // without enter(): lane.time still paces the rise
   } else if (lane.phase == LegPhase::transfer && !sensed.contact &&
-             time_to_go(lane, left, params) - 0.5 * dt < params.overlap_time &&
+             time_to_go(lane, left, params, sensed.turn) - 0.5 * dt < params.overlap_time &&
              up < 0.3 * lane.step.profile_height) {
     enter(lane, LegPhase::descend);
   }
@@ -176,6 +176,7 @@ Vector3 swing(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_O
 Vector3 descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
                 const SwingParams& params) {
   const double height = height_of(lane, X_OB);
+  const Vector2 way = way_to_go(lane, X_OB);
   Vector3 way_O = Vector3::Zero();
   lane.cleared = lane.cleared || !sensed.contact;
   const double below = lane.step.p_OT.z() - height;
@@ -202,7 +203,7 @@ Vector3 descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X
   if (committed)
     stop_sideways(lane, dt, way_O);
   else
-    move_sideways(lane, way_to_go(lane, X_OB), dt, params, way_O);
+    move_sideways(lane, way, time_to_turn(lane, way, params), dt, params, way_O);
   move_down(lane, height, dt, params, way_O);
   return way_O;
 }
@@ -281,6 +282,11 @@ Vector3 step_back(LegLane& lane, const LegSensed& sensed, double dt, const Pose&
 }
 
 }  // namespace
+
+double turning_time(const LegLane& lane, const Pose& X_OB, const SwingParams& at_ease) noexcept {
+  if (lane.phase != LegPhase::transfer) return 0.0;
+  return time_to_turn(lane, way_to_go(lane, X_OB), params_here(lane, at_ease));
+}
 
 double hastened_max_speed(const SwingParams& params, double haste) noexcept {
   return faster(params.max_speed, haste, params.hasty_speed);

@@ -46,7 +46,7 @@ struct LegLane {
   double haste = 1.0;                ///< of this step; 1 from its first collision on
   Vector3 p_OL = Vector3::Zero();    ///< where the foot left the ground, odom [m]
   Vector2 back_O = Vector2::Zero();  ///< where a retreat goes, odom [m]
-  double transfer_clock = 0.0;       ///< time since the sideways motion began [s]
+  double transfer_clock = 0.0;       ///< time since the sideways motion began, (swing 7) [s]
   double rises_from = 0.0;           ///< height at which the rise began, odom [m]
   double stood_at = 0.0;             ///< height of the foot itself when it was unloaded, odom [m]
   double apex_z = 0.0;               ///< height of the apex, odom [m]
@@ -92,8 +92,9 @@ struct LegSensed {
   bool reachable = true;          ///< the last set point was within the leg's reach
   Vector3 off = Vector3::Zero();  ///< from the set point to the measured foot, body frame [m]
   bool needed = false;            ///< it is to stay, or without it the robot would fall
-  double pursuit =
-      0.0;  ///< speed at which it goes after its ground as it stands without contact [m/s]
+  /// Speed at which it goes after its ground as it stands without contact [m/s]
+  double pursuit = 0.0;
+  double turn = 0.0;  ///< least time left for its transfer, (swing 7) [s]
 };
 
 /// The parameters of a swing that is `haste` times as fast, (swing 4): the same motion, but for what the
@@ -102,6 +103,10 @@ struct LegSensed {
 [[nodiscard]] SwingParams hastened(SwingParams params, double haste) noexcept;
 /// Of these the bound on the sideways speed [m/s].
 [[nodiscard]] double hastened_max_speed(const SwingParams& params, double haste) noexcept;
+
+/// Least time left for the transfer of a leg that is under way to elsewhere, (swing 7) [s].
+[[nodiscard]] double turning_time(const LegLane& lane, const Pose& X_OB,
+                                  const SwingParams& params) noexcept;
 
 /// Counts how long contact lasts or is missing, from its first sample on. So a foot counts as
 /// support in the tick in which it has been so for long enough, before anything is decided.

@@ -39,9 +39,24 @@ double height_of(const LegLane& lane, const Pose& X_OB) noexcept {
   return X_OB.R.row(2).dot(lane.p_BF) + X_OB.p.z();
 }
 
-double time_to_go(const LegLane& lane, double distance, const SwingParams& params) noexcept {
-  return std::max(params.transfer_time - lane.transfer_clock,
-                  kMinimumJerkPeak * distance / params.max_speed);
+double time_to_go(const LegLane& lane, const Vector2& way, const SwingParams& params,
+                  double turn) noexcept {
+  return std::max({params.transfer_time - lane.transfer_clock,
+                   kMinimumJerkPeak * way.norm() / params.max_speed, turn});
+}
+
+double time_to_turn(const LegLane& lane, const Vector2& way, const SwingParams& params) noexcept {
+  constexpr double kNaturalPeak = 3.0, kBrakingPeak = 3.94, kPeakAcceleration = 5.774;
+  const double distance = way.norm();
+  Vector2 off = lane.v_O.head<2>();
+  if (distance > 0.0) {
+    const double T = std::max(time_to_go(lane, way, params, 0.0), kMinTimeToGo);
+    const double along = std::clamp(off.dot(way) / distance, 0.0, kNaturalPeak * distance / T);
+    off -= along / distance * way;
+  }
+  const double hardest =
+      kPeakAcceleration * params.max_speed / (kMinimumJerkPeak * params.transfer_time);
+  return kBrakingPeak * off.norm() / hardest;
 }
 
 Vector2 way_to_go(const LegLane& lane, const Pose& X_OB) noexcept {
@@ -59,9 +74,10 @@ void move_to(LegLane& lane, int axis, double error, double time_left, double dt,
   move(lane, axis, minimum_jerk_tick(error, lane.v_O[axis], lane.a_O[axis], time_left, dt), way_O);
 }
 
-void move_sideways(LegLane& lane, const Vector2& way, double dt, const SwingParams& params,
-                   Vector3& way_O) noexcept {
-  const double T = time_to_go(lane, way.norm(), params);
+void move_sideways(LegLane& lane, const Vector2& way, double turn, double dt,
+                   const SwingParams& params, Vector3& way_O) noexcept {
+  lane.transfer_clock = std::min(lane.transfer_clock, params.transfer_time - turn);
+  const double T = time_to_go(lane, way, params, turn);
   for (int k = 0; k < 2; ++k) move_to(lane, k, way[k], T, dt, way_O);
   lane.transfer_clock += dt;
 }

@@ -17,9 +17,13 @@ namespace hexagait {
 /// Horizontal displacement from the foot to the foothold that is tried [m].
 [[nodiscard]] Vector2 way_to_go(const LegLane& lane, const Pose& X_OB) noexcept;
 
-/// Time left for the sideways motion over a distance [s].
-[[nodiscard]] double time_to_go(const LegLane& lane, double distance,
-                                const SwingParams& params) noexcept;
+/// Time left for the sideways motion over a way, at least `turn` [s].
+[[nodiscard]] double time_to_go(const LegLane& lane, const Vector2& way, const SwingParams& params,
+                                double turn) noexcept;
+
+/// Least time left for a foot that moves elsewhere, (swing 7) [s].
+[[nodiscard]] double time_to_turn(const LegLane& lane, const Vector2& way,
+                                  const SwingParams& params) noexcept;
 
 /// Way left to the apex [m]. An apex out of reach is where the leg ends.
 [[nodiscard]] double rise_left(LegLane& lane, const LegSensed& sensed, double height) noexcept;
@@ -32,8 +36,8 @@ void move_to(LegLane& lane, int axis, double error, double time_left, double dt,
              Vector3& way_O) noexcept;
 
 /// To the foothold, along both horizontal axes.
-void move_sideways(LegLane& lane, const Vector2& way, double dt, const SwingParams& params,
-                   Vector3& way_O) noexcept;
+void move_sideways(LegLane& lane, const Vector2& way, double turn, double dt,
+                   const SwingParams& params, Vector3& way_O) noexcept;
 
 /// Brakes along both horizontal axes, (swing 2).
 void stop_sideways(LegLane& lane, double dt, Vector3& way_O) noexcept;
