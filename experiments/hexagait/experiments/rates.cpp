@@ -30,10 +30,6 @@ Verdict judge_rate(std::span<const JudgedWalk> headings, std::span<const JudgedW
   const double control_dt = headings.front().simulation.control_dt;
   // Above 10 ms a foot has gone on for up to a centimetre when its contact is noticed.
   const double allowance = control_dt > 0.010 ? 0.010 : 0.0;
-  // In each cycle of 0.9 s both tripods' contacts are known 1.5 periods late on average; 1 % is left to the headings.
-  constexpr double kCycle = 0.9;
-  const double late = 2.0 * 1.5 * (control_dt - kReferencePeriod);
-  const double least_speed = 99.0 - 100.0 * late / kCycle;
   const double share = worst(headings, [&](const JudgedWalk& w) {
     return w.summary.lateral_mean / std::max(w.max_lateral, allowance);
   });
@@ -42,18 +38,23 @@ Verdict judge_rate(std::span<const JudgedWalk> headings, std::span<const JudgedW
   std::vector<double> speeds;  // as shares of the reference's
   for (std::size_t k = 0; k < headings.size() && k < reference.size(); ++k)
     speeds.push_back(outermost_speed(headings[k], reach) / outermost_speed(reference[k], reach));
+  Check speed{{fmt::format("share of the speed at {}, slowest heading", in_ms(kReferencePeriod)),
+               "%", 100.0 * statistics::least(speeds)},
+              at_least(97.0)};
+  if (control_dt >= 0.010)
+    speed = std::move(speed).expected_to_fail(
+        between(93.0, 97.0),
+        "contact is known half a period late, and a foot that bounces is sure of it one or two "
+        "periods later");
   return {.claim = fmt::format("{} headings on flat ground at a control period of {}",
                                headings.size(), in_ms(control_dt)),
           .safety = no_fall(summaries(headings)),
-          .checks = {
-              none_stuck(headings),
-              {{fmt::format("mean distance from the path, share of {} mm (crab 45°: 15 mm)",
-                            allowance > 0.0 ? 10 : 5),
-                "%", 100.0 * share, fmt::format("at worst {:.2f} mm", 1e3 * lateral)},
-               at_most(100.0)},
-              {{fmt::format("share of the speed at {}, slowest heading", in_ms(kReferencePeriod)),
-                "%", 100.0 * statistics::least(speeds)},
-               at_least(least_speed)}}};
+          .checks = {none_stuck(headings),
+                     {{fmt::format("mean distance from the path, share of {} mm (crab 45°: 15 mm)",
+                                   allowance > 0.0 ? 10 : 5),
+                       "%", 100.0 * share, fmt::format("at worst {:.2f} mm", 1e3 * lateral)},
+                      at_most(100.0)},
+                     std::move(speed)}};
 }
 
 Verdict judge_rate_on_terrain(std::span<const JudgedWalk> walks, int least_arrived) {

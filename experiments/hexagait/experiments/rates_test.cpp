@@ -27,17 +27,33 @@ std::string word_on_flat(double control_dt, auto change) {
 }
 
 TEST(JudgeRate, FailsAWalkThatIsWorseThanItsReference) {
-  EXPECT_EQ(word_on_flat(0.010, [](auto&) {}), "holds");
-  EXPECT_EQ(word_on_flat(0.010, [](auto& s) { s.fell = true; }), "FAILS");
-  EXPECT_EQ(word_on_flat(0.010, [](auto& s) { s.stuck = true; }), "FAILS");
-  EXPECT_EQ(word_on_flat(0.010, [](auto& s) { s.speed *= 0.96; }), "FAILS");
-  EXPECT_EQ(word_on_flat(0.010, [](auto& s) { s.speed = std::nan(""); }), "FAILS");
+  EXPECT_EQ(word_on_flat(0.005, [](auto&) {}), "holds");
+  EXPECT_EQ(word_on_flat(0.005, [](auto& s) { s.fell = true; }), "FAILS");
+  EXPECT_EQ(word_on_flat(0.005, [](auto& s) { s.stuck = true; }), "FAILS");
+  EXPECT_EQ(word_on_flat(0.005, [](auto& s) { s.speed *= 0.96; }), "FAILS");
+  EXPECT_EQ(word_on_flat(0.005, [](auto& s) { s.speed = std::nan(""); }), "FAILS");
+}
+
+constexpr const char* kAsExpected = "as expected, does not hold";
+
+TEST(JudgeRate, ExpectsLessSpeedFromTenMillisecondsOn) {
+  for (const double control_dt : {0.010, 0.020}) {
+    EXPECT_EQ(word_on_flat(control_dt, [](auto& s) { s.speed *= 0.95; }), kAsExpected);
+    EXPECT_EQ(word_on_flat(control_dt, [](auto& s) { s.speed *= 0.92; }), "FAILS");
+    EXPECT_EQ(word_on_flat(control_dt, [](auto& s) { s.speed *= 0.98; }), "FAILS") << "it holds";
+  }
 }
 
 TEST(JudgeRate, AllowsACentimetreOnlyAboveTenMilliseconds) {
-  EXPECT_EQ(word_on_flat(0.010, [](auto& s) { s.lateral_mean = 0.006; }), "FAILS");
-  EXPECT_EQ(word_on_flat(0.020, [](auto& s) { s.lateral_mean = 0.006; }), "holds");
-  EXPECT_EQ(word_on_flat(0.020, [](auto& s) { s.lateral_mean = 0.011; }), "FAILS");
+  const auto off_path = [](double control_dt, double distance) {
+    return word_on_flat(control_dt, [distance](auto& s) {
+      s.speed *= 0.95;
+      s.lateral_mean = distance;
+    });
+  };
+  EXPECT_EQ(off_path(0.010, 0.006), "FAILS");
+  EXPECT_EQ(off_path(0.020, 0.006), kAsExpected);
+  EXPECT_EQ(off_path(0.020, 0.011), "FAILS");
 }
 
 TEST(JudgeRate, TakesASpinByItsOutermostFoot) {
