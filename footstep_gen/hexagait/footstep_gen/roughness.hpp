@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <hexagait/executor/commands.hpp>
 #include <hexagait/gait_state/stepper.hpp>
 #include <hexagait/math/geometry.hpp>
 #include <hexagait/math/leg.hpp>
@@ -89,6 +90,15 @@ inline constexpr double kSlowFrom = 2.5;  ///< spread without haste, of the step
   step.slow_way -= kNearer * level;
   step.overreach -= level;
   return step;
+}
+
+/// From how far below the expected ground on a foot stands on an edge, (step 11) [m]: an eighth of its radius, or by
+/// more than the prints differ; infinite where they differ by half its radius.
+/// @param spread  of the ground of late, as remembered_spread() [m]
+[[nodiscard]] inline double edge_depth(double spread, double foot_radius) noexcept {
+  constexpr double kShare = 0.125, kRough = 0.5;
+  const double depth = std::max(kShare * foot_radius, spread);
+  return depth < kRough * foot_radius ? depth : SearchDepth::kNever;
 }
 
 /// The steps where the path leads up or down a slope: from 6 to 9° feet lose the speed that descents gain by (step 9).

@@ -88,6 +88,15 @@ TEST(OnLevelGround, TakesLowerStepsInMoreHasteThatTouchDownNoFaster) {
   EXPECT_EQ(on_level_ground(late, 0.0, late).haste, 1.0) << "who asks for no haste";
 }
 
+// (step 11) A foot of 2 cm: an edge from 2.5 mm below on, or from by what the prints differ; where that is 1 cm it can't tell.
+TEST(EdgeDepth, IsAnEighthOfTheFootOrWhatThePrintsDifferBy) {
+  EXPECT_NEAR(edge_depth(0.0, 0.02), 0.0025, 1e-12);
+  EXPECT_NEAR(edge_depth(0.006, 0.02), 0.006, 1e-12);
+  EXPECT_EQ(edge_depth(0.01, 0.02), SearchDepth::kNever);
+  EXPECT_EQ(edge_depth(0.1, 0.02), SearchDepth::kNever);
+  EXPECT_EQ(edge_depth(0.0, 0.0), SearchDepth::kNever) << "a foot without a radius";
+}
+
 // As fast as always up to a spread of 0.1 m, 1.4 times as fast from 0.13 m on.
 TEST(OnGuessedGround, DescendsFasterWherePrintsDifferByMoreThanTheClearance) {
   EXPECT_EQ(on_guessed_ground(kStep, 0.099).descent, 1.0);

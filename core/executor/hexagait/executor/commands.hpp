@@ -12,14 +12,14 @@ namespace hexagait {
 /// How far below its target a foot looks for ground. Deeper is a hole: the foot rises straight up, and comes
 /// down at the target again, which is to be another one by then.
 struct SearchDepth {
-  double at_end = std::numeric_limits<double>::infinity();  ///< where the leg's reach ends [m]
-  double beside_hole =
-      std::numeric_limits<double>::infinity();  ///< finite where a hole is known [m]
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
+  double at_end = kNever;       ///< where the leg's reach ends [m]
+  double beside_hole = kNever;  ///< finite where a hole is known [m]
+  /// Where contact is that with an edge, from this depth on and up to that, (step 11) [m]: the foot tries closer.
+  double edge = kNever, edge_end = 0.0;
 
   /// Contact below the ground that is expected may be that with the wall of a hole.
-  [[nodiscard]] bool hole_known() const {
-    return beside_hole < std::numeric_limits<double>::infinity();
-  }
+  [[nodiscard]] bool hole_known() const { return beside_hole < kNever; }
 };
 
 /// The footstep of one leg: lift the foot, carry it over, put it down ([FG16] II-C). Streamed by a

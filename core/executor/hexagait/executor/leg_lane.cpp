@@ -104,11 +104,6 @@ void support(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB
   }
 }
 
-// Height of the foot, wherever its set point is.
-double foot_height(const LegLane& lane, const LegSensed& sensed, const Pose& X_OB) {
-  return height_of(lane, X_OB) + X_OB.R.row(2).dot(sensed.off);
-}
-
 // The set point goes to where the foot is, across gravity.
 void stop_pushing(LegLane& lane, const LegSensed& sensed, const Pose& X_OB) {
   const Vector3 up_B = X_OB.R.row(2);
@@ -166,7 +161,7 @@ Vector3 swing(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_O
   if (lane.phase == LegPhase::lift && sideways) {
     lane.phase = LegPhase::transfer;  // without enter(): lane.time still paces the rise
   } else if (lane.phase == LegPhase::transfer && !sensed.contact &&
-             time_to_go(lane, left, params, sensed.turn) - 0.5 * dt < params.overlap_time &&
+             time_to_go(lane, left, params, sensed.turn) < params.overlap_time &&
              up < 0.3 * lane.step.profile_height) {
     enter(lane, LegPhase::descend);
   }
@@ -185,6 +180,8 @@ Vector3 descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X
   const bool wall = depth.hole_known() && below > params.commit_height && !gives_up(lane, params);
   const bool found = sensed.contact && lane.cleared;
   if (found && wall) return climb_out(lane, sensed, X_OB), way_O;
+  if (found && is_edge(lane, sensed, X_OB))
+    return retreat_closer(lane, sensed, X_OB, params), way_O;
   if (found) return land(lane, dt, params), way_O;
   const bool blocked = sensed.tracking_error > params.blocked_error;
   // It lost contact but not its load: it stays as it is while the robot needs it.

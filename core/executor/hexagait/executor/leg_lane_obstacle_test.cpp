@@ -262,6 +262,35 @@ TEST(Swing, TriesCloserWhereItFindsNoHold) {
   EXPECT_LT(planar_distance(swing.foot(), kStart), 0.7 * kStride);
 }
 
+// (step 11) A round foot on an edge touches by up to its radius lower than on the ground beside it. It tries closer, twice
+// at most; what is lower by more is ground, and so is all of it for who was told of no edge.
+TEST(Swing, TriesCloserWhereItTouchesAnEdge) {
+  struct Case {
+    double depth;  // of what it touches [m]
+    double from;   // way from the start to where it begins [m]
+    bool knows;    // the step has SearchDepth::edge
+    int retreats;
+    double stands_at;  // of the way
+  };
+  for (const Case& c : {Case{0.005, kStride - 0.05, true, 1, 0.6},
+                        {0.005, 0.0, true, 2, 0.36},
+                        {0.03, kStride - 0.05, true, 0, 1.0},
+                        {0.002, kStride - 0.05, true, 0, 1.0},
+                        {0.005, kStride - 0.05, false, 0, 1.0}}) {
+    Swing swing;
+    swing.touches = [&c](const Vector3& p) {
+      return p.z() <= (ahead(p) > c.from ? -c.depth : 0.0);
+    };
+    FootstepCommand step{0, kTarget, 0.1};
+    if (c.knows) step.depth.edge = 0.0025, step.depth.edge_end = 0.02;
+    command(swing.lane, step, kBody);
+    if (c.retreats > 1) swing.until(LegPhase::retreat);
+    swing.land();
+    EXPECT_EQ(swing.lane.retreats, c.retreats) << c.depth;
+    EXPECT_NEAR(ahead(swing.foot()), c.stands_at * kStride, 0.01) << c.depth;
+  }
+}
+
 // The shin is on an edge: the foot feels nothing, and does not get down. When no try is left, it does not
 // push, or the robot would stand on its shin, but tries elsewhere.
 TEST(Swing, DoesNotPushWhatItCantGetPast) {

@@ -39,6 +39,10 @@ double height_of(const LegLane& lane, const Pose& X_OB) noexcept {
   return X_OB.R.row(2).dot(lane.p_BF) + X_OB.p.z();
 }
 
+double foot_height(const LegLane& lane, const LegSensed& sensed, const Pose& X_OB) noexcept {
+  return height_of(lane, X_OB) + X_OB.R.row(2).dot(sensed.off);
+}
+
 double time_to_go(const LegLane& lane, const Vector2& way, const SwingParams& params,
                   double turn) noexcept {
   return std::max({params.transfer_time - lane.transfer_clock,
@@ -46,7 +50,7 @@ double time_to_go(const LegLane& lane, const Vector2& way, const SwingParams& pa
 }
 
 double time_to_turn(const LegLane& lane, const Vector2& way, const SwingParams& params) noexcept {
-  constexpr double kNaturalPeak = 3.0, kBrakingPeak = 3.94, kPeakAcceleration = 5.774;
+  constexpr double kNaturalPeak = 6.0, kBrakingPeak = 3.94, kPeakAcceleration = 5.774;
   const double distance = way.norm();
   Vector2 off = lane.v_O.head<2>();
   if (distance > 0.0) {

@@ -14,6 +14,10 @@ namespace hexagait {
 /// Height of the foot's set point, odom [m].
 [[nodiscard]] double height_of(const LegLane& lane, const Pose& X_OB) noexcept;
 
+/// Height of the foot itself, odom [m].
+[[nodiscard]] double foot_height(const LegLane& lane, const LegSensed& sensed,
+                                 const Pose& X_OB) noexcept;
+
 /// Horizontal displacement from the foot to the foothold that is tried [m].
 [[nodiscard]] Vector2 way_to_go(const LegLane& lane, const Pose& X_OB) noexcept;
 

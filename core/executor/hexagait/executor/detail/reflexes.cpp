@@ -13,6 +13,8 @@ constexpr double kCloser = 0.6;
 // Who has collided more often than this is before a high wall, and rises by so many times more.
 constexpr int kLowTries = 2;
 constexpr double kHigher = 2.0;
+// Who has tried so often takes an edge for its ground.
+constexpr int kEdgeTries = 2;
 // Of the search for a foothold, in times that a foot moves back in a retreat.
 constexpr double kSearchWidth = 2.0;
 
@@ -60,6 +62,12 @@ void retreat_closer(LegLane& lane, const LegSensed& sensed, const Pose& X_OB,
                     const SwingParams& params) noexcept {
   lane.reach_fraction *= kCloser;
   retreat(lane, sensed, X_OB, params);
+}
+
+bool is_edge(const LegLane& lane, const LegSensed& sensed, const Pose& X_OB) noexcept {
+  const double below = lane.step.p_OT.z() - foot_height(lane, sensed, X_OB);
+  const bool at_edge = lane.step.depth.edge < below && below < lane.step.depth.edge_end;
+  return at_edge && lane.retreats < kEdgeTries && !lane.regains;
 }
 
 void climb_out(LegLane& lane, const LegSensed& sensed, const Pose& X_OB) noexcept {
