@@ -15,7 +15,7 @@ struct SearchDepth {
   static constexpr double kNever = std::numeric_limits<double>::infinity();
   double at_end = kNever;       ///< where the leg's reach ends [m]
   double beside_hole = kNever;  ///< finite where a hole is known [m]
-  /// Where contact is that with an edge, from this depth on and up to that, (step 11) [m]: the foot tries closer.
+  /// Contact between these two depths is contact with an edge, (step 11) [m]: the foot tries a closer place.
   double edge = kNever, edge_end = 0.0;
 
   /// Contact below the ground that is expected may be that with the wall of a hole.

@@ -70,7 +70,7 @@ void Executor::move_legs(const RobotState& state, double dt) noexcept {
   // (swing 6). A foot whose contact is known late would push itself into the ground, and others off it.
   const double prompt = 1.0 - lateness(lag_.lag() + dt, kPursuingLag * params_.swing.lift_time);
   const double pursuit = prompt * kPursuit * params_.swing.touchdown_speed;
-  // (swing 7). Legs that turn in the air turn together, and so land together.
+  // (swing 7). Legs whose footholds have changed take one time for it, so that they land together.
   double turn = 0.0;
   for (const LegLane& lane : legs_)
     turn = std::max(turn, turning_time(lane, state.X_OB, params_.swing));

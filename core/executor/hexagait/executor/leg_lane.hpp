@@ -104,7 +104,7 @@ struct LegSensed {
 /// Of these the bound on the sideways speed [m/s].
 [[nodiscard]] double hastened_max_speed(const SwingParams& params, double haste) noexcept;
 
-/// Least time left for the transfer of a leg that is under way to elsewhere, (swing 7) [s].
+/// Least time left for the transfer of a leg whose foothold has changed, (swing 7) [s]; 0 in other phases.
 [[nodiscard]] double turning_time(const LegLane& lane, const Pose& X_OB,
                                   const SwingParams& params) noexcept;
 

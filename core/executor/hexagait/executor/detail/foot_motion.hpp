@@ -25,7 +25,7 @@ namespace hexagait {
 [[nodiscard]] double time_to_go(const LegLane& lane, const Vector2& way, const SwingParams& params,
                                 double turn) noexcept;
 
-/// Least time left for a foot that moves elsewhere, (swing 7) [s].
+/// Least time left for a foot that moves in another direction than to its foothold, (swing 7) [s].
 [[nodiscard]] double time_to_turn(const LegLane& lane, const Vector2& way,
                                   const SwingParams& params) noexcept;
 

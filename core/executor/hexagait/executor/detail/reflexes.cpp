@@ -13,7 +13,7 @@ constexpr double kCloser = 0.6;
 // Who has collided more often than this is before a high wall, and rises by so many times more.
 constexpr int kLowTries = 2;
 constexpr double kHigher = 2.0;
-// Who has tried so often takes an edge for its ground.
+// After so many tries a foot stands on an edge all the same.
 constexpr int kEdgeTries = 2;
 // Of the search for a foothold, in times that a foot moves back in a retreat.
 constexpr double kSearchWidth = 2.0;

@@ -27,7 +27,7 @@ void retreat(LegLane& lane, const LegSensed& sensed, const Pose& X_OB,
 void retreat_closer(LegLane& lane, const LegSensed& sensed, const Pose& X_OB,
                     const SwingParams& params) noexcept;
 
-/// Is what a foot touches on its way down an edge, which it would slide off, (step 11)?
+/// Does a foot on its way down touch an edge, from which it would slide off, (step 11)?
 [[nodiscard]] bool is_edge(const LegLane& lane, const LegSensed& sensed, const Pose& X_OB) noexcept;
 
 /// There is no ground within reach: straight up again, so that the foot meets no wall of the hole. Where it
