@@ -37,8 +37,8 @@ struct FootstepCommand {
   double descent = 1.0;
   /// How many times SwingParams::touchdown_speed and, down to the clearance below, search_speed it has, (step 6).
   double touchdown = 1.0;
-  double slow_way =
-      1.0;  ///< share of SwingParams::touchdown_margin over which it is slow, (step 10)
+  /// Share of SwingParams::touchdown_margin over which it is slow, (step 10).
+  double slow_way = 1.0;
   SearchDepth depth = {};
 };
 

@@ -161,7 +161,7 @@ Vector3 swing(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_O
   if (lane.phase == LegPhase::lift && sideways) {
     lane.phase = LegPhase::transfer;  // without enter(): lane.time still paces the rise
   } else if (lane.phase == LegPhase::transfer && !sensed.contact &&
-             time_to_go(lane, left, params, sensed.turn) < params.overlap_time &&
+             std::max(time_to_go(lane, left, params), sensed.turn) < params.overlap_time &&
              up < 0.3 * lane.step.profile_height) {
     enter(lane, LegPhase::descend);
   }
@@ -171,7 +171,6 @@ Vector3 swing(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_O
 Vector3 descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
                 const SwingParams& params) {
   const double height = height_of(lane, X_OB);
-  const Vector2 way = way_to_go(lane, X_OB);
   Vector3 way_O = Vector3::Zero();
   lane.cleared = lane.cleared || !sensed.contact;
   const double below = lane.step.p_OT.z() - height;
@@ -197,10 +196,12 @@ Vector3 descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X
 
   // Straight down over the last centimetres, so that the foot does not slide.
   const bool committed = height < lane.step.p_OT.z() + params.commit_height;
-  if (committed)
+  if (committed) {
     stop_sideways(lane, dt, way_O);
-  else
+  } else {
+    const Vector2 way = way_to_go(lane, X_OB);
     move_sideways(lane, way, time_to_turn(lane, way, params), dt, params, way_O);
+  }
   move_down(lane, height, dt, params, way_O);
   return way_O;
 }

@@ -43,10 +43,9 @@ double foot_height(const LegLane& lane, const LegSensed& sensed, const Pose& X_O
   return height_of(lane, X_OB) + X_OB.R.row(2).dot(sensed.off);
 }
 
-double time_to_go(const LegLane& lane, const Vector2& way, const SwingParams& params,
-                  double turn) noexcept {
-  return std::max({params.transfer_time - lane.transfer_clock,
-                   kMinimumJerkPeak * way.norm() / params.max_speed, turn});
+double time_to_go(const LegLane& lane, const Vector2& way, const SwingParams& params) noexcept {
+  return std::max(params.transfer_time - lane.transfer_clock,
+                  kMinimumJerkPeak * way.norm() / params.max_speed);
 }
 
 double time_to_turn(const LegLane& lane, const Vector2& way, const SwingParams& params) noexcept {
@@ -54,7 +53,7 @@ double time_to_turn(const LegLane& lane, const Vector2& way, const SwingParams& 
   const double distance = way.norm();
   Vector2 off = lane.v_O.head<2>();
   if (distance > 0.0) {
-    const double T = std::max(time_to_go(lane, way, params, 0.0), kMinTimeToGo);
+    const double T = std::max(time_to_go(lane, way, params), kMinTimeToGo);
     const double along = std::clamp(off.dot(way) / distance, 0.0, kNaturalPeak * distance / T);
     off -= along / distance * way;
   }
@@ -81,7 +80,7 @@ void move_to(LegLane& lane, int axis, double error, double time_left, double dt,
 void move_sideways(LegLane& lane, const Vector2& way, double turn, double dt,
                    const SwingParams& params, Vector3& way_O) noexcept {
   lane.transfer_clock = std::min(lane.transfer_clock, params.transfer_time - turn);
-  const double T = time_to_go(lane, way, params, turn);
+  const double T = std::max(time_to_go(lane, way, params), turn);
   for (int k = 0; k < 2; ++k) move_to(lane, k, way[k], T, dt, way_O);
   lane.transfer_clock += dt;
 }

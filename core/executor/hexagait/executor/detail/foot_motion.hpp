@@ -21,9 +21,9 @@ namespace hexagait {
 /// Horizontal displacement from the foot to the foothold that is tried [m].
 [[nodiscard]] Vector2 way_to_go(const LegLane& lane, const Pose& X_OB) noexcept;
 
-/// Time left for the sideways motion over a way, at least `turn` [s].
-[[nodiscard]] double time_to_go(const LegLane& lane, const Vector2& way, const SwingParams& params,
-                                double turn) noexcept;
+/// Time left for the sideways motion over a way [s].
+[[nodiscard]] double time_to_go(const LegLane& lane, const Vector2& way,
+                                const SwingParams& params) noexcept;
 
 /// Least time left for a foot that moves in another direction than to its foothold, (swing 7) [s].
 [[nodiscard]] double time_to_turn(const LegLane& lane, const Vector2& way,
@@ -39,7 +39,7 @@ namespace hexagait {
 void move_to(LegLane& lane, int axis, double error, double time_left, double dt,
              Vector3& way_O) noexcept;
 
-/// To the foothold, along both horizontal axes.
+/// To the foothold, along both horizontal axes, in no less than `turn` [s].
 void move_sideways(LegLane& lane, const Vector2& way, double turn, double dt,
                    const SwingParams& params, Vector3& way_O) noexcept;
 
