@@ -397,17 +397,17 @@ TEST(Executor, TurnsTheLegsOfATripodInOneTime) {
       scene.executor.command({leg, target, 0.1}, scene.state);
     };
     for (const LegId leg : kTripod) command(leg, 0.22);
-    std::vector<double> at(6, 0.0);
+    std::array<double, 3> at{};
     bool turned = !turns;
     for (double t = 0.0; t < 2.0; t += kDt) {
       scene.tick();
       const double way = (scene.state.p_OF[0] - scene.state.print_O[0]).x();
       if (!turned && way > 0.13) command(0, -0.05), turned = true;
-      for (const LegId leg : kTripod)
-        if (scene.executor.legs()[leg].phase == LegPhase::descend) at[leg] = t;
+      for (std::size_t k = 0; k < at.size(); ++k)
+        if (scene.executor.legs()[kTripod[k]].phase == LegPhase::descend) at[k] = t;
     }
     EXPECT_TRUE(turned);
-    return std::array{at[0], at[3], at[4]};
+    return at;
   };
   const auto straight = landings(false), turned = landings(true);
   EXPECT_GT(turned[0], straight[0] + 0.05);
