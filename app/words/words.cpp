@@ -160,6 +160,10 @@ std::string in_words(const WalkReport& report) {
                   "lost {} times, {} of them really; legs touch the ground for {:.2f} s",
                   length(s.slip_mean), length(s.slip_p95), s.stances, s.contact_losses,
                   s.real_contact_losses, s.leg_touch_time));
+  if (std::isfinite(s.touchdown_p95))
+    add(text, "touchdowns",
+        fmt::format("at {:.2f} m/s, the median, and {:.2f} m/s, the 95th percentile",
+                    s.touchdown_median, s.touchdown_p95));
   add(text, "body",
       fmt::format("height {:.3f} … {:.3f} m, roll up to {:.1f}°, pitch up to {:.1f}°", s.height_min,
                   s.height_max, degrees(s.roll_max), degrees(s.pitch_max)));

@@ -126,6 +126,8 @@ Json results(const walk::Summary& s) {
             {"height_m", finite(s.odometry_height)},
             {"tilt_rad", finite(s.odometry_tilt)}}},
           {"slip_m", {{"mean", finite(s.slip_mean)}, {"p95", finite(s.slip_p95)}}},
+          {"touchdown_speed_m_s",
+           {{"median", finite(s.touchdown_median)}, {"p95", finite(s.touchdown_p95)}}},
           {"stances", s.stances},
           {"stability_margin_m", {{"min", finite(s.margin_min)}, {"p5", finite(s.margin_p5)}}},
           {"cost_of_transport", finite(s.cost_of_transport)},

@@ -156,6 +156,7 @@ const std::vector<Column> kOdeColumns =
                   {"heading_max_rad", "largest heading error", "rad"},
                   {"slip_mean_m", "slip per stance", "m"},
                   {"slip_p95_m", "slip per stance, 95th percentile", "m"},
+                  {"touchdown_p95_m_s", "speed of touchdowns, 95th percentile", "m/s"},
                   {"margin_min_m", "least stability margin", "m"},
                   {"cost_of_transport", "cost of transport", ""},
                   {"neighbour_flight_s", "two neighbours off the ground", "s"},
@@ -174,11 +175,11 @@ std::string run_ode(const TrialConfig& config) {
   if (config.limits.distance > 0.0) simulation.trial.distance = config.limits.distance;
 
   const walk::Summary s = recording::simulate(*config.robot, simulation);
-  return walk_row(
-      s, config.limits, cause_in_words(s.hindrance, *config.robot),
-      fmt::format("{},{},{},{},{},{},{},{},{},{}", s.lateral_mean, s.lateral_max, s.heading_max,
-                  s.slip_mean, number(s.slip_p95), s.margin_min, number(s.cost_of_transport),
-                  s.neighbour_flight, s.contact_losses, s.real_contact_losses));
+  return walk_row(s, config.limits, cause_in_words(s.hindrance, *config.robot),
+                  fmt::format("{},{},{},{},{},{},{},{},{},{},{}", s.lateral_mean, s.lateral_max,
+                              s.heading_max, s.slip_mean, number(s.slip_p95),
+                              number(s.touchdown_p95), s.margin_min, number(s.cost_of_transport),
+                              s.neighbour_flight, s.contact_losses, s.real_contact_losses));
 }
 
 // ---- all of them --------------------------------------------------------------------------------

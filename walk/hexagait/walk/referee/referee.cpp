@@ -61,8 +61,9 @@ Referee::Referee(const RobotModel& model, const GroundTruth& truth, double contr
       work_(truth.work) {
   for (LegId i = 0; i < model.num_legs(); ++i) {
     outer_ = std::max(outer_, model.legs[i].p_BC.head<2>().norm());
-    stances_[i] = {.stands = truth.feet[i].in_contact, .slip_before = truth.feet[i].slip};
-    slip_before_touch_[i] = truth.feet[i].slip;
+    const FootTruth& foot = truth.feet[i];
+    stances_[i] = {.stands = foot.in_contact, .slip_before = foot.slip, .z = foot.p_WF.z()};
+    slip_before_touch_[i] = foot.slip;
   }
   summary_.height_min = summary_.height_max = truth.X_WB.p.z();
   summary_.state_hash = kFnv1aBasis;
@@ -135,13 +136,18 @@ void Referee::watch_posture(const GroundTruth& truth) {
   if (std::isfinite(margin)) margins_.push_back(margin);
 }
 
-// A stance is from the first touch to the last one before the foot is off the ground for `bounce`.
+// A stance is from the first touch to the last one before the foot is off the ground for `bounce`. In the tick of the
+// first touch the ground has stopped the foot already.
 void Referee::watch_stances(const GroundTruth& truth) {
   for (LegId i = 0; i < model_->num_legs(); ++i) {
     const FootTruth& foot = truth.feet[i];
     Stance& stance = stances_[i];
     if (foot.in_contact) {
-      if (!stance.stands) stance = {.stands = true, .slip_before = slip_before_touch_[i]};
+      if (!stance.stands) {
+        if (stance.off > params_.bounce) touchdowns_.push_back(stance.descent);
+        stance.stands = true;
+        stance.slip_before = slip_before_touch_[i];
+      }
       stance.off = 0.0;
     } else {
       stance.off += dt_;
@@ -150,6 +156,8 @@ void Referee::watch_stances(const GroundTruth& truth) {
       slips_.push_back((foot.slip - stance.slip_before).norm());
       stance.stands = false;
     }
+    stance.descent = (stance.z - foot.p_WF.z()) / dt_;
+    stance.z = foot.p_WF.z();
     slip_before_touch_[i] = foot.slip;
   }
   summary_.leg_touch_time += truth.leg_touches_ground ? dt_ : 0.0;
@@ -285,6 +293,8 @@ Summary Referee::summary() const {
   s.slip_mean = slips.empty() ? std::numeric_limits<double>::quiet_NaN() : 0.0;
   for (const double slip : slips) s.slip_mean += slip / static_cast<double>(slips.size());
   s.slip_p95 = percentile(slips, 0.95);
+  s.touchdown_median = percentile(touchdowns_, 0.5);
+  s.touchdown_p95 = percentile(touchdowns_, 0.95);
   s.margin_min = percentile(margins_, 0.0);
   s.margin_p5 = percentile(margins_, 0.05);
   s.tripod_after_steps =

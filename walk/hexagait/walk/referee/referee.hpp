@@ -51,6 +51,8 @@ class Referee {
     bool stands = false;
     Vector3 slip_before = Vector3::Zero();  ///< reading of its slip before the first touch [m]
     double off = 0.0;                       ///< time since it last touched [s]
+    double z = 0.0;                         ///< height of the foot a tick ago [m]
+    double descent = 0.0;                   ///< its downward speed then [m/s]
   };
   /// A leg's present support, as the controller has it.
   struct Support {
@@ -85,7 +87,7 @@ class Referee {
   LegArray<Stance> stances_;
   LegArray<Vector3> slip_before_touch_;
   LegArray<Support> supports_;
-  std::vector<double> slips_, margins_, swing_times_;
+  std::vector<double> slips_, touchdowns_, margins_, swing_times_;
   LegArray<double> lift_time_;
   std::vector<TimedLift> lifts_;
   double idle_ = 0.0, progress_seen_ = 0.0;

@@ -91,6 +91,44 @@ TEST(Referee, CountsTheSlipWhileAFootIsDraggedOffTheGround) {
   EXPECT_NEAR(walk.referee.summary().slip_p95, 0.002, 1e-12);
 }
 
+// Feet come down at 0.1, 0.2 … 0.6 m/s and stop at the ground. What stands at first has not come down.
+TEST(Referee, TellsHowFastFeetTouchDown) {
+  HandMadeWalk walk;
+  EXPECT_TRUE(std::isnan(walk.referee.summary().touchdown_p95));
+  for (LegId i = 0; i < 6; ++i) {
+    walk.lift(i);
+    walk.tick(kFlight);
+    const double z = walk.truth.feet[i].p_WF.z(), way = 0.1 * (i + 1) * kDt;
+    walk.truth.feet[i].p_WF.z() = z + 2.0 * way;
+    walk.tick();
+    walk.truth.feet[i].p_WF.z() = z + way;
+    walk.tick();
+    walk.truth.feet[i].p_WF.z() = z;
+    walk.land(i);
+    walk.tick(3);
+  }
+  const Summary s = walk.referee.summary();
+  EXPECT_NEAR(s.touchdown_median, 0.3, 1e-9);
+  EXPECT_NEAR(s.touchdown_p95, 0.6, 1e-9);
+}
+
+// A foot that bounces at touchdown has touched down once.
+TEST(Referee, TakesNoBounceForATouchdown) {
+  HandMadeWalk walk;
+  walk.lift(2);
+  walk.tick(kFlight);
+  walk.land(2);
+  walk.tick();
+  walk.truth.feet[2].in_contact = false;
+  walk.truth.feet[2].p_WF.z() += 0.001;
+  walk.tick(2);
+  walk.truth.feet[2].p_WF.z() -= 0.001;
+  walk.tick();
+  walk.truth.feet[2].in_contact = true;
+  walk.tick();
+  EXPECT_DOUBLE_EQ(walk.referee.summary().touchdown_p95, 0.0);
+}
+
 TEST(Referee, HasNoSlipOfFeetThatNeverTouch) {
   HandMadeWalk walk;
   for (LegId i = 0; i < 6; ++i) walk.lift(i);

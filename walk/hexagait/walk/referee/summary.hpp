@@ -68,6 +68,10 @@ struct Summary {
   double slip_mean = 0.0, slip_p95 = 0.0;
   int stances = 0;  ///< all, those that had not ended included
 
+  /// Downward speed of a foot in the last control period before the first touch of a stance [m/s]. NaN without steps.
+  double touchdown_median = std::numeric_limits<double>::quiet_NaN();
+  double touchdown_p95 = std::numeric_limits<double>::quiet_NaN();
+
   /// Stability margin of the centre of mass in the true support polygon, negative outside [m].
   /// Ticks without any foot on the ground have none.
   double margin_min = 0.0, margin_p5 = 0.0;
