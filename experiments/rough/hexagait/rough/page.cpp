@@ -25,17 +25,18 @@ std::string how_others_ended(const RoughPoint& p) {
 std::string row(const RoughPoint& p, double reach, const RoughPoint* flat) {
   const std::string of_flat = flat == nullptr ? "–" : number(p.speed, 0.01 * flat->speed.value, 0);
   return fmt::format(
-      "| {:g} | {:.2f} | `{}` | {} of {} ({:.0f}–{:.0f} %) | {} | {} | {} | {} | {} | {} | {} |\n",
+      "| {:g} | {:.2f} | `{}` | {} of {} ({:.0f}–{:.0f} %) | {} | {} | {} | {} | {} | {} | {} | {} "
+      "|\n",
       100.0 * p.height, p.height / reach, p.controller, p.arrived.count, p.arrived.trials,
       100.0 * p.arrived.lower, 100.0 * p.arrived.upper, how_others_ended(p),
       number(p.speed, 1.0, 3), of_flat, number(p.off_path, 0.01, 1), number(p.slip, 0.01, 1),
-      number(p.cost, 1.0, 2), number(p.margin, 0.01, 0));
+      number(p.touchdown, 1.0, 2), number(p.cost, 1.0, 2), number(p.margin, 0.01, 0));
 }
 
 constexpr const char* kHeader =
     "| boxes up to [cm] | of leg reach | controller | arrive (95 %) | the others | m/s | % of flat "
-    "| off path [cm] | slip [cm] | cost | margin [cm] "
-    "|\n|---|---|---|---|---|---|---|---|---|---|---|\n";
+    "| off path [cm] | slip [cm] | touchdowns [m/s] | cost | margin [cm] "
+    "|\n|---|---|---|---|---|---|---|---|---|---|---|---|\n";
 
 }  // namespace
 

@@ -56,6 +56,8 @@ TEST(RoughTally, CountsTheWalksOfASweep) {
   EXPECT_GT(free->speed.value, 0.05);
   EXPECT_GT(free->cost.value, 0.1);
   EXPECT_LT(free->slip.value, 0.001);
+  EXPECT_GT(free->touchdown.value, 0.05);
+  EXPECT_LT(free->touchdown.value, 0.15);
   const RoughPoint* const tripod = point(points, "ideal", "tripod", 0.0);
   EXPECT_NEAR(free->lead.value, free->speed.value - tripod->speed.value, 1e-9);
   std::filesystem::remove_all(directory);

@@ -33,8 +33,8 @@ int count(const ReportLine& line, sweep::Outcome outcome) {
 
 std::vector<RoughPoint> tally(const std::filesystem::path& sweep) {
   const auto speed = lines(sweep, "speed_m_s"), off_path = lines(sweep, "lateral_mean_m"),
-             slip = lines(sweep, "slip_p95_m"), cost = lines(sweep, "cost_of_transport"),
-             margin = lines(sweep, "margin_min_m");
+             slip = lines(sweep, "slip_p95_m"), touchdown = lines(sweep, "touchdown_p95_m_s"),
+             cost = lines(sweep, "cost_of_transport"), margin = lines(sweep, "margin_min_m");
   std::vector<RoughPoint> points;
   for (std::size_t k = 0; k < speed.size(); ++k) {
     const ReportLine& line = speed[k];
@@ -49,6 +49,7 @@ std::vector<RoughPoint> tally(const std::filesystem::path& sweep) {
          .speed = mean(line),
          .off_path = mean(off_path[k]),
          .slip = mean(slip[k]),
+         .touchdown = mean(touchdown[k]),
          .cost = mean(cost[k]),
          .margin = mean(margin[k]),
          .lead = lead(line)});
@@ -69,7 +70,7 @@ figures::Csv table(std::span<const RoughPoint> points, double reach) {
       "plant,controller,height_m,height_of_reach,walks,arrived,fell,stuck,late,"
       "share,share_lower,share_upper";
   for (const char* name : {"speed_m_s", "speed_of_flat", "off_path_m", "slip_p95_m",
-                           "cost_of_transport", "margin_min_m", "lead_m_s"})
+                           "touchdown_p95_m_s", "cost_of_transport", "margin_min_m", "lead_m_s"})
     for (const char* end : {"", "_lower", "_upper"}) header.append(",").append(name).append(end);
   figures::Csv table(header);
   for (const RoughPoint& p : points) {
@@ -80,8 +81,9 @@ figures::Csv table(std::span<const RoughPoint> points, double reach) {
               p.fell, p.stuck, p.late, p.arrived.share(), p.arrived.lower, p.arrived.upper,
               p.speed.value, p.speed.lower, p.speed.upper, share.value, share.lower, share.upper,
               p.off_path.value, p.off_path.lower, p.off_path.upper, p.slip.value, p.slip.lower,
-              p.slip.upper, p.cost.value, p.cost.lower, p.cost.upper, p.margin.value,
-              p.margin.lower, p.margin.upper, p.lead.value, p.lead.lower, p.lead.upper);
+              p.slip.upper, p.touchdown.value, p.touchdown.lower, p.touchdown.upper, p.cost.value,
+              p.cost.lower, p.cost.upper, p.margin.value, p.margin.lower, p.margin.upper,
+              p.lead.value, p.lead.lower, p.lead.upper);
   }
   return table;
 }

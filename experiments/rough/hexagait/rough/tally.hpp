@@ -30,6 +30,7 @@ struct RoughPoint {
   RoughMean speed = {};               ///< [m/s]
   RoughMean off_path = {};            ///< mean distance from the path [m]
   RoughMean slip = {};                ///< of a stance, 95th percentile [m]
+  RoughMean touchdown = {};           ///< speed of touchdowns, 95th percentile [m/s]
   RoughMean cost = {};                ///< of transport
   RoughMean margin = {};              ///< least stability margin [m]
   /// Speed less that of the waiting tripod, of the terrains on which both walked on [m/s].
