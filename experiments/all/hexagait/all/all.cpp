@@ -5,6 +5,7 @@
 #include <hexagait/gallery/gallery.hpp>
 #include <hexagait/paths/paths.hpp>
 #include <hexagait/pc04/pc04.hpp>
+#include <hexagait/rough/lead.hpp>
 #include <hexagait/rough/rough.hpp>
 #include <hexagait/sensitivity/sensitivity.hpp>
 
@@ -47,6 +48,8 @@ const std::vector<Experiment>& experiments() {
        true, "the figure of eight over boxes, by odometry"},
       {"rough", "success and cost against the height of boxes, of four controllers", rough, true,
        "the free gait over boxes of a third of the reach of a leg"},
+      {"lead", "how far ahead of the waiting tripod the times of steps let the free gait be", lead,
+       true, "the first walk"},
       {"sensitivity", "what each imperfection of a robot costs, and at which size it breaks",
        sensitivity, false, "the plant real over boxes"},
       {"gallery", "every robot in robots/: flat ground and boxes", gallery, true,

@@ -34,7 +34,8 @@ constexpr double kVeryRough =
 constexpr const char* kWhySlower =
     "there it is a wave gait, which is slower and arrives more often";
 constexpr const char* kWhyNoLead =
-    "it waits for two neighbours instead of for all, which gains little where each step is slow";
+    "it waits for two neighbours instead of for all, which gains no more than the step times of "
+    "`experiment lead` allow";
 
 std::string in_cm(double height) { return fmt::format("{:g} cm", 100.0 * height); }
 
