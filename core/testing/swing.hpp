@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <hexagait/executor/leg_lane.hpp>
+#include <limits>
 #include <testing/control_period.hpp>
 #include <testing/round_params.hpp>
 
@@ -14,13 +16,14 @@ namespace hexagait::testing {
 
 inline const Pose kBody{rotation_z(0.7), {1.0, -2.0, 0.3}};  // at rest in odom
 
-/// A lane under a body at rest. The foot goes where it is told; whether it touches something there
-/// is up to the test: at first the ground z = 0.
+/// A lane under a body at rest. The foot goes where it is told, but not below the floor; whether it touches something
+/// there is up to the test: at first the ground z = 0.
 struct Swing {
   SwingParams params = testing::round_params().swing;
   LegLane lane;
   std::function<bool(const Vector3&)> touches = [](const Vector3& p_OF) { return p_OF.z() <= 0.0; };
   bool reachable = true;
+  double floor = -std::numeric_limits<double>::infinity();  ///< the foot gets no lower [m]
   bool blocked = false;  ///< the leg is held by something that its foot does not feel
 
   explicit Swing(const Vector3& start_O = {1.3, -1.6, 0.0}) {
@@ -32,7 +35,8 @@ struct Swing {
   void tick() {
     const LegSensed sensed{.contact = touches(foot()),
                            .tracking_error = blocked ? 2.0 * params.blocked_error : 0.0,
-                           .reachable = reachable};
+                           .reachable = reachable,
+                           .off = {0.0, 0.0, std::max(0.0, floor - foot().z())}};
     sense(lane, sensed.contact, kDt, params);
     advance(lane, sensed, kBody, kDt, params);
   }

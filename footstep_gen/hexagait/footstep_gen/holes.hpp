@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <hexagait/math/geometry.hpp>
+#include <hexagait/math/leg.hpp>
 
 namespace hexagait::footstep_gen {
 
@@ -22,6 +24,28 @@ class Holes {
   static constexpr int kPlaces = 16;
   std::array<Vector2, kPlaces> places_{};
   int size_ = 0, next_ = 0;
+};
+
+/// How often in a row each leg has stepped in place, since the ground beyond is in the margin of a hole. Holes are not
+/// as wide as their margin: with each such step a leg is less cautious.
+class StepsInPlace {
+ public:
+  explicit StepsInPlace(int legs) : print_O_(legs, Vector2::Zero()), times_(legs, 0) {}
+
+  /// A foot has landed. Less than `near` from where it stood, that was a step in place [m].
+  void landed(LegId leg, const Vector2& p_O, double near) noexcept {
+    times_[leg] = (p_O - print_O_[leg]).norm() < near ? times_[leg] + 1 : 0;
+    print_O_[leg] = p_O;
+  }
+  /// Share of the margin of holes that the leg keeps: all of it until it has stepped in place once, then a quarter
+  /// less each time, down to 0.3.
+  [[nodiscard]] double caution(LegId leg) const noexcept {
+    return std::clamp(1.0 - 0.25 * (times_[leg] - 1), 0.3, 1.0);
+  }
+
+ private:
+  LegArray<Vector2> print_O_;
+  LegArray<int> times_;
 };
 
 struct Foothold {

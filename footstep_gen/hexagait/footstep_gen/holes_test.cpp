@@ -74,5 +74,23 @@ TEST(Holes, MatterAlsoToAFootThatStaysWhereItIs) {
   EXPECT_EQ(clear_of(holes, kFrom, kFrom, kEnd, kRadius).p_O, kEnd);
 }
 
+// One step in place is no reason to be bold. A step that gets on makes a leg cautious again, and that leg alone.
+TEST(StepsInPlace, TakeTheCautionFromALegBitByBit) {
+  StepsInPlace steps(6);
+  const auto after_landing_at = [&steps](double x) {
+    steps.landed(2, {x, 0.5}, 0.05);
+    return steps.caution(2);
+  };
+  EXPECT_EQ(steps.caution(2), 1.0);
+  EXPECT_EQ(after_landing_at(1.0), 1.0);
+  EXPECT_EQ(after_landing_at(1.04), 1.0);
+  EXPECT_EQ(after_landing_at(1.0), 0.75);
+  EXPECT_EQ(after_landing_at(0.96), 0.5);
+  for (int k = 0; k < 5; ++k) after_landing_at(0.96);
+  EXPECT_EQ(steps.caution(2), 0.3);
+  EXPECT_EQ(steps.caution(3), 1.0);
+  EXPECT_EQ(after_landing_at(1.2), 1.0);
+}
+
 }  // namespace
 }  // namespace hexagait::footstep_gen

@@ -93,7 +93,8 @@ Walker::Walker(const RobotModel& model, const WalkerParams& params)
       very_rough_gait_(very_rough_gait(memory_.stepper.longest_step())),
       stance_of_all_(nominal_stance(model)),
       level_(stance_of_all_),
-      executor_(model, params_.executor) {
+      executor_(model, params_.executor),
+      in_place_(model.num_legs()) {
   watch_.stop(Fault::not_started);
   record_.fault = watch_.fault();
   record_.targets = executor_.targets();

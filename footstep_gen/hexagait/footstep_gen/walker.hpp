@@ -173,6 +173,7 @@ class Walker {
   Executor executor_;
   double speed_limit_ = std::numeric_limits<double>::infinity();  ///< along the path [m/s]
   Holes holes_;
+  StepsInPlace in_place_;
   double print_spread_ = 0.0;  ///< of the last footprints in height [m]
   double spread_ = 0.0;        ///< of the ground of late [m]
   long catches_until_ = 0;     ///< tick until which it may have to catch itself

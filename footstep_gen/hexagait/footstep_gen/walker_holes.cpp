@@ -6,15 +6,19 @@
 namespace hexagait::footstep_gen {
 namespace {
 
-constexpr double kHole = 0.5, kBeside = 1.0;  // of the workspace radius
+constexpr double kHole = 0.5, kBeside = 1.0, kInPlace = 0.25;  // of the workspace radius
 
 }  // namespace
 
 // A robot that does not get on in spite of what it knows begins anew.
 void Walker::learn_holes() noexcept {
   if (record_.escape.phase == EscapePhase::moves) holes_ = {};
-  for (const LegLane& lane : executor_.legs())
+  for (LegId i = 0; i < model_->num_legs(); ++i) {
+    const LegLane& lane = executor_.legs()[i];
+    const double near = holes_.empty() ? 0.0 : kInPlace * executor_.stance().radius[i];
+    if (lane.touched_down) in_place_.landed(i, record_.state.print_O[i].head<2>(), near);
     if (lane.found_no_ground) holes_.add((record_.state.X_OB * lane.p_BF).head<2>());
+  }
 }
 
 // (step 5)
@@ -27,7 +31,7 @@ void Walker::keep_clear_of_holes(FootstepCommand& step, double to_come) const no
   const double radius = executor_.stance().radius[i];
   const Vector3 end_O = record_.state.X_OB * aep(record_.arc, i, radius + to_come);
   const Foothold place = clear_of(holes_, record_.state.print_O[i].head<2>(), step.p_OT.head<2>(),
-                                  end_O.head<2>(), kHole * radius);
+                                  end_O.head<2>(), kHole * radius * in_place_.caution(i));
   step.p_OT.head<2>() = place.p_O;
   if (place.off < kBeside * radius) step.depth.beside_hole = params_.step.height;
 }

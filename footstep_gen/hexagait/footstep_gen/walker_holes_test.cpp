@@ -48,7 +48,7 @@ TEST(WalkerOverHoles, StepsAsFarAsTheWorkspaceWillBeWhenTheFootLands) {
     over += crossing.distance > 6.0 ? 1 : 0;
     EXPECT_GT(crossing.searches, 0) << seed;
   }
-  EXPECT_GT(over, 28) << "of 48";
+  EXPECT_GT(over, 31) << "of 48";
 }
 
 }  // namespace

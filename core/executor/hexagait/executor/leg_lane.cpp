@@ -35,7 +35,7 @@ void rise_from_here(LegLane& lane, const Pose& X_OB) {
 // Begins a step at the present position of the foot.
 void begin_step(LegLane& lane, LegPhase phase, const Pose& X_OB) {
   enter(lane, phase);
-  lane.cleared = lane.regains = false;
+  lane.cleared = lane.regains = lane.probes = false;
   lane.retreats = lane.bounces = 0;
   lane.haste = 1.0;
   lane.reach_fraction = 1.0;
@@ -168,6 +168,22 @@ Vector3 swing(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_O
   return way_O;
 }
 
+// (step 12). The set point begins where the foot is.
+void begin_probe(LegLane& lane, const LegSensed& sensed, const Pose& X_OB) {
+  const Vector3 up_B = X_OB.R.row(2);
+  lane.probes = true;
+  lane.probed_at = foot_height(lane, sensed, X_OB);
+  lane.p_BF += up_B.dot(sensed.off) * up_B;
+}
+
+// Slowly down, and in a long period no farther than until it carries load.
+Vector3 press(LegLane& lane, double dt, const SwingParams& params) {
+  const double most = kCarries * params.blocked_error / dt;
+  lane.v_O = -std::min(params.touchdown_speed, most) * Vector3::UnitZ();
+  lane.a_O.setZero();
+  return dt * lane.v_O;
+}
+
 Vector3 descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X_OB,
                 const SwingParams& params) {
   const double height = height_of(lane, X_OB);
@@ -181,6 +197,12 @@ Vector3 descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X
   if (found && wall) return climb_out(lane, sensed, X_OB), way_O;
   if (found && is_edge(lane, sensed, X_OB))
     return retreat_closer(lane, sensed, X_OB, params), way_O;
+  if (found && may_be_wall(lane, sensed, X_OB, params)) {
+    if (!lane.probes) return begin_probe(lane, sensed, X_OB), press(lane, dt, params);
+    const double sunk = lane.probed_at - foot_height(lane, sensed, X_OB);
+    if (sunk > depth.edge) return climb_out(lane, sensed, X_OB), way_O;
+    if (!carries(sensed, X_OB, params)) return press(lane, dt, params);
+  }
   if (found) return land(lane, dt, params), way_O;
   const bool blocked = sensed.tracking_error > params.blocked_error;
   // It lost contact but not its load: it stays as it is while the robot needs it.

@@ -57,6 +57,8 @@ struct LegLane {
   double beside = 0.0;               ///< to the left of that way [m]: the foothold is searched for
   bool touched_down = false;         ///< counts as support from this tick on
   bool lifted = false;               ///< left support in this tick
+  bool probes = false;               ///< presses on what may be a wall, (step 12)
+  double probed_at = 0.0;            ///< height of the foot when it began to, odom [m]
   bool found_no_ground = false;      ///< gave up in this tick as deep as it reaches
   bool regains = false;              ///< descends because it lost contact in support
 

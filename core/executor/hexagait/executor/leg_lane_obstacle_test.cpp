@@ -283,12 +283,53 @@ TEST(Swing, TriesCloserWhereItTouchesAnEdge) {
     };
     FootstepCommand step{0, kTarget, 0.1};
     if (c.knows) step.depth.edge = 0.0025, step.depth.edge_end = 0.02;
+    if (c.depth > 0.02) swing.floor = -c.depth;
     command(swing.lane, step, kBody);
     if (c.retreats > 1) swing.until(LegPhase::retreat);
     swing.land();
     EXPECT_EQ(swing.lane.retreats, c.retreats) << c.depth;
     EXPECT_NEAR(ahead(swing.foot()), c.stands_at * kStride, 0.01) << c.depth;
   }
+}
+
+// (step 12) What a foot touches far below level ground may be the wall of a hole: it presses, and goes back if it sinks.
+TEST(Swing, GoesBackFromWhatGivesWayFarBelowLevelGround) {
+  struct Case {
+    bool knows, holds;
+    bool lands;
+  };
+  constexpr double kDepth = 0.06, kEdge = 0.0025;
+  for (const Case& c : {Case{true, false, false}, {true, true, true}, {false, false, true}}) {
+    Swing swing;
+    swing.touches = [](const Vector3& p) { return p.z() <= (ahead(p) > 0.1 ? -kDepth : 0.0); };
+    if (c.holds) swing.floor = -kDepth;
+    FootstepCommand step{0, kTarget, 0.1};
+    if (c.knows) step.depth.edge = kEdge, step.depth.edge_end = 0.02;
+    command(swing.lane, step, kBody);
+    double lowest = 0.0;
+    for (int k = 0; k < 1500 && !swing.lane.found_no_ground; ++k) {
+      swing.tick();
+      lowest = std::min(lowest, swing.foot().z());
+      if (swing.lane.phase == LegPhase::support) break;
+    }
+    EXPECT_EQ(swing.lane.phase == LegPhase::support, c.lands);
+    EXPECT_EQ(swing.lane.found_no_ground, !c.lands);
+    if (!c.knows) continue;
+    EXPECT_LT(lowest, -kDepth - (c.holds ? 0.0005 : kEdge)) << "it presses";
+    EXPECT_GT(lowest, -kDepth - 0.005);
+  }
+}
+
+// When no try is left, a foot stands on what gives way, too.
+TEST(Swing, StandsOnWhatGivesWayWhenNothingIsLeftToTry) {
+  Swing swing;
+  swing.touches = [](const Vector3& p) { return p.z() <= (ahead(p) > 0.1 ? -0.06 : 0.0); };
+  FootstepCommand step{0, kTarget, 0.1};
+  step.depth.edge = 0.0025, step.depth.edge_end = 0.02;
+  command(swing.lane, step, kBody);
+  swing.lane.retreats = swing.params.max_retreats;
+  swing.land();
+  EXPECT_GT(swing.foot().z(), -0.065);
 }
 
 // The shin is on an edge: the foot feels nothing, and does not get down. When no try is left, it does not

@@ -25,6 +25,7 @@ void let_go(LegLane& lane, const LegSensed& sensed) {
   lane.transfer_clock = 0.0;
   lane.bounces = 0;
   lane.haste = 1.0;
+  lane.probes = false;
 }
 
 void search_elsewhere(LegLane& lane, const SwingParams& params) {
@@ -68,6 +69,14 @@ bool is_edge(const LegLane& lane, const LegSensed& sensed, const Pose& X_OB) noe
   const double below = lane.step.p_OT.z() - foot_height(lane, sensed, X_OB);
   const bool at_edge = lane.step.depth.edge < below && below < lane.step.depth.edge_end;
   return at_edge && lane.retreats < kEdgeTries && !lane.regains;
+}
+
+bool may_be_wall(const LegLane& lane, const LegSensed& sensed, const Pose& X_OB,
+                 const SwingParams& params) noexcept {
+  const SearchDepth& depth = lane.step.depth;
+  const double below = lane.step.p_OT.z() - foot_height(lane, sensed, X_OB);
+  const bool level = depth.edge < SearchDepth::kNever;
+  return level && below >= depth.edge_end && !lane.regains && !gives_up(lane, params);
 }
 
 void climb_out(LegLane& lane, const LegSensed& sensed, const Pose& X_OB) noexcept {

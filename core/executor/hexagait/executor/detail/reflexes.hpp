@@ -27,6 +27,10 @@ void retreat(LegLane& lane, const LegSensed& sensed, const Pose& X_OB,
 void retreat_closer(LegLane& lane, const LegSensed& sensed, const Pose& X_OB,
                     const SwingParams& params) noexcept;
 
+/// May what a foot on its way down touches be the wall of a hole, (step 12)?
+[[nodiscard]] bool may_be_wall(const LegLane& lane, const LegSensed& sensed, const Pose& X_OB,
+                               const SwingParams& params) noexcept;
+
 /// Does a foot on its way down touch an edge, from which it would slide off, (step 11)?
 [[nodiscard]] bool is_edge(const LegLane& lane, const LegSensed& sensed, const Pose& X_OB) noexcept;
 
