@@ -34,7 +34,7 @@ namespace hexagait::footstep_gen::testing {
 
 /// A robot on the plane z = 0, or over other ground, that follows its commands exactly: joints are at
 /// their targets one period later, and the body moves with the executor's twist. A foot has contact
-/// when it reaches the ground below it, until it is `lift_off` above that.
+/// when it reaches the ground below it, until it is `lift_off` above that. One that presses on the ground gets no lower.
 struct KinematicPlant {
   const RobotModel* model;
   double (*ground)(const Vector2& p_O) = [](const Vector2&) { return 0.0; };  ///< its height [m]
@@ -61,8 +61,9 @@ struct KinematicPlant {
     const Twist V = record.base.twist();
     X_OB = X_OB * Pose{rotation(V.w * dt), dt * V.v + 0.5 * dt * dt * V.w.cross(V.v)};
     measurement.time += dt;
-    measurement.q = record.targets.q;
     for (LegId i = 0; i < model->num_legs(); ++i) {
+      const bool presses = record.legs[i].probes && measurement.contact[i];
+      if (!presses) measurement.q[i] = record.targets.q[i];
       const Vector3 p_OF = foot(i);
       const double z = p_OF.z() - model->foot_radius - ground(p_OF.head<2>());
       measurement.contact[i] = z <= (measurement.contact[i] ? lift_off : 0.0);

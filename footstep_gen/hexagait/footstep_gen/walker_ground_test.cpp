@@ -222,6 +222,18 @@ double single_step(const Vector2& p_O) {
   return p_O.x() > 0.75 ? Sense * 0.17 : 0.0;
 }
 
+// Without measured joints nobody knows whether a foot sinks: it stands on what it touches, (step 12).
+TEST(Walker, StepsDownWithoutJointFeedback) {
+  WalkerParams params;
+  params.sensors.joint_feedback = false;
+  Walk walk(argos(), 0.0, 0, params);
+  walk.plant.ground = [](const Vector2& p_O) { return p_O.x() < 1.0 ? 0.0 : -0.06; };
+  for (int k = 0; k < 10000 && walk.place().x() < 2.0; ++k)
+    walk.plant.follow(
+        walk.walker.tick(PlantStatus::fresh, walk.plant.measurement, Heading::straight(0.0)), kDt);
+  EXPECT_GE(walk.place().x(), 2.0);
+}
+
 // (step 9) The prints differ as much before the body is tilted as after.
 TEST(Walker, DescendsFasterUntilItsPathIsSteep) {
   int level = 0, steep = 0;

@@ -26,6 +26,7 @@ void Walker::keep_clear_of_holes(FootstepCommand& step, double to_come) const no
   step.depth.at_end = params_.step.max_height;
   step.depth.edge = edge_depth(spread_, model_->foot_radius);
   step.depth.edge_end = model_->foot_radius;
+  step.depth.presses = params_.sensors.joint_feedback && step.depth.edge < SearchDepth::kNever;
   if (holes_.empty()) return;
   const LegId i = step.leg;
   const double radius = executor_.stance().radius[i];

@@ -17,6 +17,9 @@ struct SearchDepth {
   double beside_hole = kNever;  ///< finite where a hole is known [m]
   /// Contact between these two depths is contact with an edge, (step 11) [m]: the foot tries a closer place.
   double edge = kNever, edge_end = 0.0;
+  /// Contact deeper than edge_end may be that with the wall of a hole, (step 12): the foot presses. It takes measured
+  /// joints to tell whether it sinks.
+  bool presses = false;
 
   /// Contact below the ground that is expected may be that with the wall of a hole.
   [[nodiscard]] bool hole_known() const { return beside_hole < kNever; }

@@ -57,7 +57,7 @@ void land(LegLane& lane, double dt, const SwingParams& params) {
   lane.v_O.setZero();
   lane.a_O.setZero();
   lane.without_contact = 0.0;
-  lane.confirmed = lane.believed = false;
+  lane.confirmed = lane.believed = lane.probes = false;
   ramp(lane.load, 1.0, dt, params.load_time);
 }
 

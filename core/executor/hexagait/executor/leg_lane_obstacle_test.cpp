@@ -282,7 +282,7 @@ TEST(Swing, TriesCloserWhereItTouchesAnEdge) {
       return p.z() <= (ahead(p) > c.from ? -c.depth : 0.0);
     };
     FootstepCommand step{0, kTarget, 0.1};
-    if (c.knows) step.depth.edge = 0.0025, step.depth.edge_end = 0.02;
+    if (c.knows) step.depth.edge = 0.0025, step.depth.edge_end = 0.02, step.depth.presses = true;
     if (c.depth > 0.02) swing.floor = -c.depth;
     command(swing.lane, step, kBody);
     if (c.retreats > 1) swing.until(LegPhase::retreat);
@@ -304,7 +304,7 @@ TEST(Swing, GoesBackFromWhatGivesWayFarBelowLevelGround) {
     swing.touches = [](const Vector3& p) { return p.z() <= (ahead(p) > 0.1 ? -kDepth : 0.0); };
     if (c.holds) swing.floor = -kDepth;
     FootstepCommand step{0, kTarget, 0.1};
-    if (c.knows) step.depth.edge = kEdge, step.depth.edge_end = 0.02;
+    if (c.knows) step.depth.edge = kEdge, step.depth.edge_end = 0.02, step.depth.presses = true;
     command(swing.lane, step, kBody);
     double lowest = 0.0;
     for (int k = 0; k < 1500 && !swing.lane.found_no_ground; ++k) {
@@ -325,7 +325,7 @@ TEST(Swing, StandsOnWhatGivesWayWhenNothingIsLeftToTry) {
   Swing swing;
   swing.touches = [](const Vector3& p) { return p.z() <= (ahead(p) > 0.1 ? -0.06 : 0.0); };
   FootstepCommand step{0, kTarget, 0.1};
-  step.depth.edge = 0.0025, step.depth.edge_end = 0.02;
+  step.depth.edge = 0.0025, step.depth.edge_end = 0.02, step.depth.presses = true;
   command(swing.lane, step, kBody);
   swing.lane.retreats = swing.params.max_retreats;
   swing.land();

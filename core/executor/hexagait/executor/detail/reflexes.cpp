@@ -75,8 +75,7 @@ bool may_be_wall(const LegLane& lane, const LegSensed& sensed, const Pose& X_OB,
                  const SwingParams& params) noexcept {
   const SearchDepth& depth = lane.step.depth;
   const double below = lane.step.p_OT.z() - foot_height(lane, sensed, X_OB);
-  const bool level = depth.edge < SearchDepth::kNever;
-  return level && below >= depth.edge_end && !lane.regains && !gives_up(lane, params);
+  return depth.presses && below >= depth.edge_end && !lane.regains && !gives_up(lane, params);
 }
 
 void climb_out(LegLane& lane, const LegSensed& sensed, const Pose& X_OB) noexcept {
