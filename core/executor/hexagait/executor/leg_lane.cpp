@@ -35,7 +35,7 @@ void rise_from_here(LegLane& lane, const Pose& X_OB) {
 // Begins a step at the present position of the foot.
 void begin_step(LegLane& lane, LegPhase phase, const Pose& X_OB) {
   enter(lane, phase);
-  lane.cleared = lane.regains = lane.probes = false;
+  lane.cleared = lane.regains = false;
   lane.retreats = lane.bounces = 0;
   lane.haste = 1.0;
   lane.reach_fraction = 1.0;
@@ -57,7 +57,7 @@ void land(LegLane& lane, double dt, const SwingParams& params) {
   lane.v_O.setZero();
   lane.a_O.setZero();
   lane.without_contact = 0.0;
-  lane.confirmed = lane.believed = lane.probes = false;
+  lane.confirmed = lane.believed = false;
   ramp(lane.load, 1.0, dt, params.load_time);
 }
 

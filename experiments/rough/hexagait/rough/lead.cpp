@@ -11,7 +11,7 @@
 #include <hexagait/experiments/walks.hpp>
 #include <hexagait/rough/lead.hpp>
 #include <hexagait/sim/random.hpp>
-#include <numeric>
+#include <hexagait/statistics/statistics.hpp>
 #include <optional>
 
 namespace hexagait::experiments {
@@ -20,10 +20,6 @@ namespace {
 constexpr std::uint64_t kTerrains = 20;
 constexpr std::array kBoxes = {0.15, 0.20};  // [m]
 constexpr int kTurns = 20000;
-
-double average(std::span<const double> values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
 
 StepTimes step_times(const ExperimentContext& context, const recording::Simulation& simulation) {
   struct Leg {
@@ -85,9 +81,9 @@ Verdict judge_lead_of_step_times(std::span<const LeadPoint> points) {
     const std::string where = fmt::format("over boxes of {:g} cm", 100.0 * point.height);
     verdict.checks.emplace_back(
         Measured{"time from lift to lift " + where + ", of that by the model", "%",
-                 100.0 * average(point.times.cycles) / (2.0 * free),
+                 100.0 * statistics::estimate(point.times.cycles).mean / (2.0 * free),
                  fmt::format("of {} steps, {:.2f} s on average", point.times.steps.size(),
-                             average(point.times.steps))},
+                             statistics::estimate(point.times.steps).mean)},
         between(95.0, 110.0));
     verdict.checks.push_back(
         Check({"lead " + where + " that the step times allow", "%", 100.0 * (tripod / free - 1.0)},

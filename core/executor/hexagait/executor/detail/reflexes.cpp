@@ -25,7 +25,6 @@ void let_go(LegLane& lane, const LegSensed& sensed) {
   lane.transfer_clock = 0.0;
   lane.bounces = 0;
   lane.haste = 1.0;
-  lane.probes = false;
 }
 
 void search_elsewhere(LegLane& lane, const SwingParams& params) {

@@ -12,6 +12,7 @@ namespace hexagait {
 inline void enter(LegLane& lane, LegPhase phase) noexcept {
   lane.phase = phase;
   lane.time = 0.0;
+  lane.probes = false;
 }
 
 /// No further try is higher or nearer: what the foot meets now is its ground.
