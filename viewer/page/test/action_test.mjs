@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { frameOf, openPage, press, until, withPage } from "./browser.mjs";
+import { frameOf, openPage, press, says, until, withPage } from "./browser.mjs";
 
 // Scripted actions: of the list, and of a file.
 let browser, server, page;
@@ -35,12 +35,12 @@ test("an action of the list is performed step by step, and then the robot walks 
   await page.locator("#action").selectOption("paw");
   await key("t");
   await words("^paw: step [1-9] of \\d+$");
-  assert.equal(await page.locator("#perform").textContent(), "Stop it");
+  await says(page, "perform", "Stop it");
   await until(page, (f, leg) => !f.moving && f.legs[leg].foot[2] > 0.15, kRight);
-  await page.waitForFunction(() => document.getElementById("state").textContent.startsWith("performing, you steer"));
+  await says(page, "state", /^performing, you steer/);
   await page.screenshot({ path: `${process.env.OUT}/action.png` });
   await words("^paw: done$", 40000);
-  assert.equal(await page.locator("#perform").textContent(), "Perform");
+  await says(page, "perform", "Perform");
   const { path } = await frameOf(page);
   await key("w");
   await until(page, (f, before) => f.moving && f.path > before + 0.1 && !f.fell, path);
@@ -60,12 +60,12 @@ test("a YAML file that is dropped is refused with the lines of its errors, and n
   const { scene } = await frameOf(page);
   assert.deepEqual(await drop("my.yaml", kBad), { over: true, marked: true, dropped: true, after: false });
   await page.locator("#findings").waitFor();
-  assert.equal(await page.locator("#findings-title").textContent(), "my.yaml is refused: 2 errors");
+  await says(page, "findings-title", "my.yaml is refused: 2 errors");
   const found = await page.locator("#finding-list li.error").allTextContents();
   assert.equal(found.length, 2);
   assert.match(found[0], /^line 3, column 17: error unknown key of base_auto "hieght"; did you mean "height"\?/);
   assert.deepEqual(await page.locator("#finding-list code").allTextContents(), ["  - base_auto: {hieght: 0.2}", "  - wait: {}"]);
-  assert.match(await page.locator("#action-facts").textContent(), /^my\.yaml: refused: 2 errors$/);
+  await says(page, "action-facts", /^my\.yaml: refused: 2 errors$/);
   assert.equal(await page.locator("#findings").getAttribute("role"), "alert");
   await page.screenshot({ path: `${process.env.OUT}/findings.png` });
   const f = await frameOf(page);
@@ -90,7 +90,7 @@ test("what the robot can't do is found before it moves; what is no action, and t
   assert.match(await page.locator("#finding-list li.error").first().textContent(), /^line 3, .*beyond where the leg reaches/);
   await file.setInputFiles(yaml("long.yaml", "#".repeat(65537)));
   await page.locator("#notice.on").waitFor();
-  assert.match(await page.locator("#notice").textContent(), /^long\.yaml has 65537 bytes; an action has at most 65536/);
+  await says(page, "notice", /^long\.yaml has 65537 bytes; an action has at most 65536/);
   await file.setInputFiles(yaml("full.yaml", `steps: # ${"\n".repeat(65000)}`));  // of allowed length, in JSON twice as long
   await words("^full\\.yaml: refused");
 });
@@ -118,10 +118,10 @@ test("the emergency stop holds it, and its release lets it stand", async () => {
 test("another page sees it, and what was over before it came is not shown", async () => {
   const other = await openPage(browser, server.url);
   await other.waitForTimeout(300);
-  assert.equal(await other.locator("#action-facts").textContent(), "");
+  await says(other, "action-facts", "");
   await page.locator("#action").selectOption("height");
   await key("t");
-  await other.waitForFunction(() => /^height: /.test(document.getElementById("action-facts").textContent));
+  await says(other, "action-facts", /^height: /);
   await words("^height: done$");
   assert.deepEqual(other.problems, []);
   await other.context().close();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import assert from "node:assert/strict";
 import { before, describe, test } from "node:test";
-import { frameOf, press, until, withPage } from "./browser.mjs";
+import { frameOf, press, says, until, withPage } from "./browser.mjs";
 
 let page;
 const shot = (of, name) => of.screenshot({ path: `${process.env.OUT}/${name}.png` });
@@ -91,7 +91,7 @@ describe("looking back", () => {
     const { end } = await page.evaluate(() => window.hexagait.player());
     await page.locator("#scrub").fill(String(Math.round(1000 * (end - 2))));
     await page.waitForFunction((now) => window.hexagait.player().clock < now - 1, end);
-    await page.waitForFunction(() => document.getElementById("state").textContent === "looks back");
+    await says(page, "state", "looks back");
     await page.waitForTimeout(400);
     const waits = await page.evaluate(() => window.hexagait.player().end);
     await page.waitForTimeout(500);
@@ -99,7 +99,7 @@ describe("looking back", () => {
     await shot(page, "back");
     await key("End");
     await page.waitForFunction((now) => window.hexagait.player().clock > now + 0.2, waits);
-    await page.waitForFunction(() => document.getElementById("clock").textContent === "now");
+    await says(page, "clock", "now");
   });
   test("whoever steers is back at the walk that goes on", async () => {
     await key("ArrowLeft");

@@ -82,6 +82,10 @@ export async function eventually(page, ask, wanted, text = wanted) {
   throw new Error(`not within ${PATIENCE} ms: ${text}; the last answer: ${last}`);
 }
 
+/** Waits until the element `id` says `words`, a string or a pattern: panels are drawn less often than the robot. */
+export const says = (page, id, words) =>
+  eventually(page, () => page.locator(`#${id}`).textContent(), (text) => (words instanceof RegExp ? words.test(text) : text === words), `#${id} says ${words}`);
+
 /** The newest frame; after a new scene there is none for a moment. */
 export const frameOf = (page) => eventually(page, () => page.evaluate(() => window.hexagait.frame()), Boolean, "a frame");
 

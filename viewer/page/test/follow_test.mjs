@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { eventually, frameOf, openPage, press, until, withPage } from "./browser.mjs";
+import { eventually, frameOf, openPage, press, says, until, withPage } from "./browser.mjs";
 
 // A path that is drawn on the ground, and one that comes along.
 let browser, server, page;
@@ -33,7 +33,7 @@ test("what is drawn on the ground is followed to its end, and its distance is sh
   assert.equal(await page.evaluate(() => window.hexagait.camera({}).azimuth), azimuth);  // it drew, and did not turn
   assert.equal(await page.locator("#draw").getAttribute("aria-pressed"), "false");
   await until(page, (f) => f.follows && f.moving);
-  await page.waitForFunction(() => /cm (left|right) of its path/.test(document.getElementById("heading").textContent));
+  await says(page, "heading", /cm (left|right) of its path/);
   await page.waitForTimeout(2500);
   await page.screenshot({ path: `${process.env.OUT}/path.png` });
   await page.locator("#speed").selectOption("4");
@@ -42,7 +42,7 @@ test("what is drawn on the ground is followed to its end, and its distance is sh
   assert.ok(!f.follows && !f.moving && !f.fell);
   // Half a stroke: the page's silences stop the robot on a busy machine. followed_path_test.cpp has 3 cm.
   assert.ok(Math.hypot(f.p[0] - x, f.p[1] - y) < 0.1, `${f.p} is not at ${[x, y]}`);
-  await page.waitForFunction(() => document.getElementById("heading").textContent.startsWith("at the end"));
+  await says(page, "heading", /^at the end/);
   await page.locator("#speed").selectOption("1");
 });
 
@@ -64,7 +64,7 @@ test("a path that comes along is followed; whoever steers leaves it", async () =
 test("a path that doubles back is refused in words, and nothing changes", async () => {
   await page.evaluate(() => window.hexagait.send({ type: "follow", points: [[0, 0], [3, 0], [2.9, 0]] }));
   await page.locator("#notice.on").waitFor();
-  assert.match(await page.locator("#notice").textContent(), /turns by 180° within .* it doubles back/);
+  await says(page, "notice", /turns by 180° within .* it doubles back/);
   const f = await frameOf(page);
   assert.ok(!f.follows && f.moving);
   assert.equal(await route(), null);

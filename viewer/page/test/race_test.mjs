@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { eventually, press, until, withPage } from "./browser.mjs";
+import { eventually, press, says, until, withPage } from "./browser.mjs";
 
 // Two robots on the same ground.
 let page;
@@ -18,7 +18,7 @@ test("G begins a race: a second robot of another gait walks as it is told, and b
   await page.locator("#race[aria-pressed=true]").waitFor();
   await page.locator("#go").click();
   await untilRival((f) => f.path > 0.4);
-  assert.match(await page.locator("#race-facts").textContent(), /^free \d+\.\d\d m · tripod, pale: \d+\.\d\d m · (ahead|behind) by/);
+  await says(page, "race-facts", /^free \d+\.\d\d m · tripod, pale: \d+\.\d\d m · (ahead|behind) by/);
   // Both in one look: the page goes on between two. Who is ahead depends on when Go was pressed.
   const [own, other] = await page.evaluate(() => [window.hexagait.frame(), window.hexagait.rival()]);
   assert.ok(!own.tripod && other.tripod && own.path > 0.2 && own.path !== other.path, JSON.stringify([own.path, other.path]));

@@ -7,7 +7,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { after, before, describe, test } from "node:test";
-import { eventually, frameOf, openPage, press, serve, startBrowser, until } from "./browser.mjs";
+import { eventually, frameOf, openPage, press, says, serve, startBrowser, until } from "./browser.mjs";
 import { openReplay } from "./replay.js";
 
 const folder = mkdtempSync(join(tmpdir(), "hexagait-replay-"));
@@ -55,7 +55,7 @@ describe("a page from disk", () => {
     assert.deepEqual([p.position, p.first, p.playing], [0, 0, false]);
     assert.equal(p.last, 1499);  // 50 frames per second, from 0 on
     assert.equal((await frameOf(page)).time, 0);
-    assert.equal(await page.locator("#clock").textContent(), "0.00 of 29.98 s");
+    await says(page, "clock", "0.00 of 29.98 s");
     assert.match(await page.title(), /^argos on boxes:0\.1/);
     await feetAreRight(page);
   });
@@ -63,7 +63,7 @@ describe("a page from disk", () => {
     const before = await frameOf(page), slider = await page.locator("#scrub").inputValue();
     await key("Space");
     await until(page, (f, path) => f.path > path + 0.2, before.path);
-    await page.waitForFunction(() => document.getElementById("state").textContent === "plays");
+    await says(page, "state", "plays");
     assert.ok(Number(await page.locator("#scrub").inputValue()) > Number(slider));
     await key("Space");
     await untilPlayer((p) => !p.playing);
@@ -76,7 +76,7 @@ describe("a page from disk", () => {
     await untilPlayer((p) => Math.abs(p.clock - 20) < 0.021);
     await until(page, (f) => Math.abs(f.time - 20) < 0.021);
     await feetAreRight(page);
-    assert.equal(await page.locator("#clock").textContent(), "20.00 of 29.98 s");
+    await says(page, "clock", "20.00 of 29.98 s");
     await shot(page, "replay");
   });
   test("one frame back shows the pose before, and one on the pose again", async () => {
@@ -107,7 +107,7 @@ describe("a page from disk", () => {
     await untilPlayer((p) => p.clock > 29);
     await key("Space");
     await untilPlayer((p) => p.position === p.last && !p.playing);
-    await page.waitForFunction(() => document.getElementById("state").textContent === "at the end");
+    await says(page, "state", "at the end");
     await key("Space");  // from the beginning again
     await untilPlayer((p) => p.playing && p.clock < 5);
     await key("Space");

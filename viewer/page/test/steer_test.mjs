@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";
 import { after, before, describe, test } from "node:test";
-import { frameOf, openPage, press, startBrowser, startServer, until } from "./browser.mjs";
+import { frameOf, openPage, press, says, startBrowser, startServer, until } from "./browser.mjs";
 
 // Low ground: what is tested are the page's controls, one sharp turn after the other. Over boxes of 10 cm
 // the robot falls over some of them.
@@ -128,7 +128,7 @@ describe("steering", () => {
     await page.waitForTimeout(500);
     assert.ok(Math.hypot((await frameOf(page)).vx, (await frameOf(page)).vy) < 0.07);
     await page.locator("#limit").fill("0.4");
-    assert.equal(await page.locator("#limit-out").textContent(), "none");
+    await says(page, "limit-out", "none");
     await until(page, (f) => Math.hypot(f.vx, f.vy) > 0.12);
   });
   test("spin, stop and go", async () => {
@@ -192,7 +192,7 @@ describe("things to try", () => {
     await key("r");
     await until(page, (f, before) => f.scene > before, scene);
     await page.waitForTimeout(300);
-    await page.waitForFunction(() => /^(Alternates within|Alternating after) /.test(document.getElementById("countdown").textContent));
+    await says(page, "countdown", /^(Alternates within|Alternating after) /);
   });
   test("P pushes the body aside", async () => {
     await reset();
@@ -237,11 +237,9 @@ test("a sentence says why a leg steps or does not", async () => {
   await key("x");
   await until(page, (f) => !f.moving && f.contact === 0b111111);
   await key("4");
-  await page.waitForTimeout(400);
-  assert.match(await page.locator("#why").textContent(), /^RM stands, as the robot does\. It is \d+\.\d cm/);
+  await says(page, "why", /^RM stands, as the robot does\. It is \d+\.\d cm/);
   await page.locator("#ring").click({ position: { x: 22, y: 14 } });
-  await page.waitForTimeout(400);
-  assert.match(await page.locator("#why").textContent(), /^LF /);
+  await says(page, "why", /^LF /);
 });
 
 describe("who steers", () => {
@@ -250,8 +248,8 @@ describe("who steers", () => {
     const second = await openPage(browser, server.url);
     await second.locator("#stop").click();
     await second.locator("#notice.on").waitFor();
-    assert.match(await second.locator("#notice").textContent(), /another page/);
-    assert.match(await second.locator("#state").textContent(), /another page/);
+    await says(second, "notice", /another page/);
+    await says(second, "state", /another page/);
     await page.evaluate(() => window.hexagait.send({ type: "release" }));
     await until(second, (f) => f.holder === 0);
     await second.locator("#spin-left").click();
@@ -344,9 +342,9 @@ test("comes back when the server does", async () => {
   assert.deepEqual(page.problems, []);
   const port = server.port;
   await server.stop();
-  await page.waitForFunction(() => document.getElementById("state").textContent === "not connected");
+  await says(page, "state", "not connected");
   server = await startServer("--port", port, ...kGround);
-  await page.waitForFunction(() => document.getElementById("state").textContent.startsWith("walking"));
+  await says(page, "state", /^walking/);
   const { path } = await frameOf(page);
   await until(page, (f, before) => f.path !== before, path);
 });

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { dirname, resolve } from "node:path";
 import { test } from "node:test";
-import { eventually, frameOf, openPage, press, until, withPage } from "./browser.mjs";
+import { eventually, frameOf, openPage, press, says, until, withPage } from "./browser.mjs";
 
 // The emergency stop, and a live robot: here a simulated one, in a process of its own.
 const kPlantLate = 3, kEmergencyStop = 5;
@@ -26,7 +26,7 @@ async function inSight(of, id) {
 
 test("a live robot stands until it is steered, and what needs a simulated one is not offered", async () => {
   assert.ok(!(await frameOf(page)).moving);
-  assert.match(await page.locator("#facts").textContent(), /^LIVE ROBOT argos/);
+  await says(page, "facts", /^LIVE ROBOT argos/);
   for (const id of ["faults", "robot", "terrain", "push", "scramble", "reset", "race", "speed", "strip-cost"])
     assert.ok(await page.locator(`#${id}`).isHidden(), id);
   assert.ok(await page.locator("#pause").isDisabled());
@@ -44,7 +44,7 @@ test("the red button is in sight, stops the robot, and another one releases it",
   await until(page, (f, stop) => f.fault === stop, kEmergencyStop);
   await page.locator("#stopped").waitFor();
   await page.screenshot({ path: `${process.env.OUT}/live_stopped.png` });
-  assert.match(await page.locator("#stopped-by").textContent(), /by this page/);
+  await says(page, "stopped-by", /by this page/);
   await page.locator("#estop").click();  // again: it is no switch
   await page.evaluate(() => {  // another notice may follow at once: that a busy machine's robot is late
     const notice = document.getElementById("notice");
@@ -76,7 +76,7 @@ test("a phone without the wheel stops it, in every mode; who steers releases it"
   await until(page, (f, stop) => f.fault === stop, kEmergencyStop);
   await phone.locator("#stopped").waitFor();
   assert.ok(await phone.locator("#release-estop").isDisabled());
-  assert.match(await page.locator("#stopped-by").textContent(), /by page \d+/);
+  await says(page, "stopped-by", /by page \d+/);
   assert.ok(await page.locator("#release-estop").isEnabled());
   await page.locator("#release-estop").click();
   await until(phone, (f) => f.fault === 0);
@@ -103,7 +103,7 @@ test("a robot that was silent for long is stopped, says so, and is released by t
   execFileSync("kill", ["-STOP", process]);
   await until(page, (f, late) => f.fault === late, kPlantLate);
   await page.locator("#stopped").waitFor();
-  assert.match(await page.locator("#stopped").textContent(), /STOPPED plant late/);
+  await says(page, "stopped", /STOPPED plant late/);
   assert.equal(await page.locator("#estop").getAttribute("aria-pressed"), "false");
   execFileSync("kill", ["-CONT", process]);
   await page.locator("#release-estop").click();
