@@ -22,7 +22,7 @@ double size(const PlanarTwist& way, double arm) { return way.v.norm() + arm * st
 void Deadlock::wait_from_here(const DeadlockInput& in) noexcept {
   since_ = in.time;
   from_ = in_plane(in.X_OB);
-  left_ground_ = {};
+  left_ground_ = stepped_ = {};
 }
 
 void Deadlock::begin(const DeadlockInput& in) noexcept {
@@ -51,14 +51,14 @@ bool Deadlock::is_there(const DeadlockInput& in) noexcept {
 // A leg that fails lags the most, so it would try again and again, and its neighbours never step.
 void Deadlock::hold(const DeadlockInput& in) noexcept {
   left_ground_ = left_ground_ | without(LegSet::all(in.p_BF.size()), in.standing);
-  const LegSet stepped = left_ground_ & in.standing;
+  stepped_ = stepped_ | (left_ground_ & in.standing);
   const gait_state::Ring ring(in.p_BF.size(), in.lost);
   escape_.held = {};
   for (LegId i = 0; i < in.p_BF.size(); ++i) {
     if (!escape_.failing.contains(i)) continue;
     const LegSet beside =
         without(gait_state::neighbours_of(LegSet(1U << i), ring), escape_.failing);
-    escape_.held.set(i, !without(beside, stepped).empty());
+    escape_.held.set(i, !without(beside, stepped_).empty());
   }
 }
 

@@ -80,6 +80,7 @@ class Deadlock {
   double nearest_ = 0.0;  ///< what was least left of that way [m]
   double nearer_ = 0.0;   ///< when the body last came nearer [s]
   LegSet left_ground_;    ///< legs that have left it since the present phase began
+  LegSet stepped_;        ///< of these those that have stood again
   PlanarTwist gave_up_;   ///< the path on which it gave up
 };
 

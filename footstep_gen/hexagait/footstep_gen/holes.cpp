@@ -19,20 +19,49 @@ void Holes::add(const Vector2& p_O) noexcept {
   size_ = std::min(size_ + 1, kPlaces);
 }
 
+void Holes::forget_beyond(const Vector2& p_O, double distance) noexcept {
+  Holes near;
+  for (int k = 0; k < size_; ++k) {
+    const Vector2& hole =
+        places_[static_cast<std::size_t>((next_ + kPlaces - size_ + k) % kPlaces)];
+    if ((hole - p_O).norm() > distance) continue;
+    near.places_[static_cast<std::size_t>(near.next_++)] = hole;
+    ++near.size_;
+  }
+  near.next_ %= kPlaces;
+  near.half_width_ = half_width_;
+  *this = near;
+}
+
+bool Holes::beside(const Vector2& p_O, const Vector2& along_O, double near) const noexcept {
+  constexpr double kFar = 6.0, kAhead = 0.2;
+  bool ahead = false, behind = false;
+  for (int k = 0; k < size_; ++k) {
+    const Vector2 way = places_[static_cast<std::size_t>(k)] - p_O;
+    const double along = along_O.dot(way), across = (way - along * along_O).norm();
+    if (way.norm() > kFar * near || across < near) continue;
+    ahead = ahead || along > kAhead * near;
+    behind = behind || along < kAhead * near;
+  }
+  return ahead && behind;
+}
+
 double Holes::distance(const Vector2& p_O, const Vector2& along_O) const noexcept {
   constexpr double kAcross = 0.05;
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < size_; ++k) {
     const Vector2 way = places_[static_cast<std::size_t>(k)] - p_O;
     const double along = along_O.dot(way);
-    const double across = kAcross * (way - along * along_O).norm();
+    const double aside = (way - along * along_O).norm();
+    if (aside > half_width_) continue;
+    const double across = kAcross * aside;
     least = std::min(least, std::sqrt(along * along + across * across));
   }
   return least;
 }
 
 Foothold clear_of(const Holes& holes, const Vector2& from, const Vector2& to, const Vector2& end,
-                  double radius) noexcept {
+                  double radius, const std::optional<Disc>& within) noexcept {
   const auto closer = [&](double share) { return Vector2(from + share * (to - from)); };
   const double way = (to - from).norm();
   const Vector2 along = way > 0.0 ? Vector2((to - from) / way) : Vector2::UnitX();
@@ -51,6 +80,7 @@ Foothold clear_of(const Holes& holes, const Vector2& from, const Vector2& to, co
                  {from, radius}};
   Foothold best{to, 0.0};
   for (const auto& [place, least] : choices) {
+    if (within && (place - within->centre).norm() > within->radius) continue;
     const double off = holes.distance(place, along);
     if (off >= least) return {place, off};
     if (off > best.off) best = {place, off};

@@ -6,6 +6,8 @@
 #include <array>
 #include <hexagait/math/geometry.hpp>
 #include <hexagait/math/leg.hpp>
+#include <limits>
+#include <optional>
 
 namespace hexagait::footstep_gen {
 
@@ -15,14 +17,22 @@ class Holes {
   /// Remembers a place; if there are many, it forgets the oldest.
   void add(const Vector2& p_O) noexcept;
   [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
-  /// From the nearest of them to a place, with that across a direction counted by a twentieth: holes are taken
-  /// to be as wide as the robot [m]; ∞ if there is none.
+  /// Forgets those that are farther away.
+  void forget_beyond(const Vector2& p_O, double distance) noexcept;
+  /// Half their width, across the way [m]; ∞ at first: they are ditches.
+  void set_half_width(double half_width) noexcept { half_width_ = half_width; }
+  /// Are there holes beside that place, at least `near` across the way and at most six times as far from it, one of
+  /// them farther along and another one not [m]? Then the ground there is no edge of a ditch.
+  [[nodiscard]] bool beside(const Vector2& p_O, const Vector2& along_O, double near) const noexcept;
+  /// From the nearest of them to a place, with that across a direction counted by a twentieth: ditches are taken
+  /// to be as wide as the robot. Holes whose width ends before that place don't count [m]; ∞ if there is none.
   /// @param along_O  unit vector
   [[nodiscard]] double distance(const Vector2& p_O, const Vector2& along_O) const noexcept;
 
  private:
   static constexpr int kPlaces = 16;
   std::array<Vector2, kPlaces> places_{};
+  double half_width_ = std::numeric_limits<double>::infinity();
   int size_ = 0, next_ = 0;
 };
 
@@ -48,6 +58,12 @@ class StepsInPlace {
   LegArray<int> times_;
 };
 
+/// [m]
+struct Disc {
+  Vector2 centre;
+  double radius;
+};
+
 struct Foothold {
   Vector2 p_O;  ///< [m]
   double off;   ///< distance from the nearest hole, as Holes::distance() counts it [m]
@@ -61,7 +77,9 @@ struct Foothold {
 /// @param to      the foothold asked for [m]
 /// @param end     the end of the workspace beyond it [m]
 /// @param radius  of a hole [m]
+/// @param within  where feet stand well; other places are not considered
 [[nodiscard]] Foothold clear_of(const Holes& holes, const Vector2& from, const Vector2& to,
-                                const Vector2& end, double radius) noexcept;
+                                const Vector2& end, double radius,
+                                const std::optional<Disc>& within = {}) noexcept;
 
 }  // namespace hexagait::footstep_gen

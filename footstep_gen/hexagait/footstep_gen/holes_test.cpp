@@ -74,6 +74,55 @@ TEST(Holes, MatterAlsoToAFootThatStaysWhereItIs) {
   EXPECT_EQ(clear_of(holes, kFrom, kFrom, kEnd, kRadius).p_O, kEnd);
 }
 
+TEST(Holes, BetweenSteppingStonesEndBesideThem) {
+  Holes holes;
+  holes.add(kTo);
+  holes.set_half_width(0.04);
+  EXPECT_EQ(clear_of(holes, kFrom, kTo, kEnd, kRadius).p_O, kEnd);
+  const Vector2 aside(0.0, 0.05);
+  EXPECT_EQ(clear_of(holes, kFrom, kTo + aside, kEnd + aside, kRadius).p_O, kTo + aside);
+}
+
+TEST(Holes, AreForgottenFarAway) {
+  Holes holes;
+  holes.set_half_width(0.04);
+  for (int k = 0; k < 20; ++k) holes.add({0.1 * k, 0.5});
+  holes.forget_beyond({1.9, 0.5}, 0.55);
+  EXPECT_NEAR(holes.distance({1.2, 0.5}, Vector2::UnitX()), 0.2, 1e-12)
+      << "from 1.4 on they are known";
+  EXPECT_EQ(holes.distance({1.9, 0.6}, Vector2::UnitX()), std::numeric_limits<double>::infinity());
+  for (int k = 0; k < 16; ++k) holes.add({9.0, 0.5});
+  EXPECT_GT(holes.distance({1.9, 0.5}, Vector2::UnitX()), 7.0) << "the oldest went first";
+  holes.forget_beyond({0.0, 0.0}, 1.0);
+  EXPECT_TRUE(holes.empty());
+}
+
+// The far side of a ditch has holes behind it only, and the near side ahead.
+TEST(Holes, LieBesideAStoneBothAheadAndBehind) {
+  const Vector2 along = Vector2::UnitX();
+  Holes holes;
+  holes.add({0.40, 0.5});
+  EXPECT_FALSE(holes.beside({0.42, 0.6}, along, 0.05)) << "behind";
+  EXPECT_FALSE(holes.beside({0.35, 0.6}, along, 0.05)) << "ahead";
+  holes.add({0.50, 0.5});
+  EXPECT_TRUE(holes.beside({0.42, 0.6}, along, 0.05));
+  EXPECT_TRUE(holes.beside({0.42, 0.4}, along, 0.05));
+  EXPECT_FALSE(holes.beside({0.42, 0.52}, along, 0.05)) << "on their line";
+  EXPECT_FALSE(holes.beside({0.42, 0.9}, along, 0.05)) << "too far away";
+}
+
+TEST(Holes, AreNoReasonToLeaveTheWorkspace) {
+  Holes holes;
+  holes.add(kTo);
+  holes.add(kEnd);
+  const Disc workspace{{0.5, 0.5}, 0.22};
+  const Vector2 closer(0.3, 0.5);
+  EXPECT_LT((clear_of(holes, kFrom, kTo, kEnd, kRadius, workspace).p_O - closer).norm(), 1e-12);
+  holes.add(closer);
+  const Vector2 there = clear_of(holes, kFrom, kTo, kEnd, kRadius, workspace).p_O;
+  EXPECT_LT((there - workspace.centre).norm(), workspace.radius) << "not where it stands";
+}
+
 // One step in place is no reason to be bold. A step that gets on makes a leg cautious again, and that leg alone.
 TEST(StepsInPlace, TakeTheCautionFromALegBitByBit) {
   StepsInPlace steps(6);

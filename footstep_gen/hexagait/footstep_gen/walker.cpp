@@ -15,10 +15,11 @@
 namespace hexagait::footstep_gen {
 namespace {
 
-constexpr double kPatience = 1.5;    // of a step all tries of which fail: then it is a deadlock
-constexpr double kMostToCome = 1.0;  // of half a step
-constexpr double kMostLean = 0.5;    // of the smallest workspace radius
-constexpr double kLeanRate = 3.0;    // of the rate at which the body tilts
+constexpr double kPatience = 1.5;      // of a step all tries of which fail: then it is a deadlock
+constexpr double kMorePatience = 2.5;  // times as much of a robot that searches beside its path
+constexpr double kMostToCome = 1.0;    // of half a step
+constexpr double kMostLean = 0.5;      // of the smallest workspace radius
+constexpr double kLeanRate = 3.0;      // of the rate at which the body tilts
 // Of the time of a lift: drives that are prompt enough for haste, and for fast descents.
 constexpr double kHastyLag = 0.1;
 constexpr double kDescendingLag = 0.01;
@@ -94,7 +95,8 @@ Walker::Walker(const RobotModel& model, const WalkerParams& params)
       stance_of_all_(nominal_stance(model)),
       level_(stance_of_all_),
       executor_(model, params_.executor),
-      in_place_(model.num_legs()) {
+      in_place_(model.num_legs()),
+      beside_(model.num_legs()) {
   watch_.stop(Fault::not_started);
   record_.fault = watch_.fault();
   record_.targets = executor_.targets();
@@ -266,6 +268,7 @@ void Walker::find_deadlock() noexcept {
   const gait_state::StepperParams& gait = gait_here();
   if (gait.stepping == gait_state::Stepping::wave)
     patience = std::max(patience, memory_.stepper.period(gait));
+  if (beside_.any()) patience *= kMorePatience;
   const int n = model_->num_legs();
   DeadlockInput in{.time = time(),
                    .walks = record_.heading.moving() && speed_limit_ > 0.0,

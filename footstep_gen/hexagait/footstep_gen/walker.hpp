@@ -7,6 +7,7 @@
 #include <hexagait/footstep_gen/holes.hpp>
 #include <hexagait/footstep_gen/lost_legs.hpp>
 #include <hexagait/footstep_gen/roughness.hpp>
+#include <hexagait/footstep_gen/steps_beside.hpp>
 #include <hexagait/footstep_gen/tick_record.hpp>
 #include <hexagait/gait_state/decide.hpp>
 #include <hexagait/gait_state/ring.hpp>
@@ -146,7 +147,9 @@ class Walker {
   [[nodiscard]] Vector2 way_for_waiting() const noexcept;
   void feel_roughness() noexcept;
   void learn_holes() noexcept;
+  [[nodiscard]] Vector2 along_path(LegId leg) const noexcept;
   void keep_clear_of_holes(FootstepCommand& step, double to_come) const noexcept;
+  [[nodiscard]] bool on_the_left(LegId leg) const noexcept;
   [[nodiscard]] const gait_state::StepperParams& gait_here() const noexcept {
     return record_.very_rough ? very_rough_gait_ : params_.stepper;
   }
@@ -174,6 +177,7 @@ class Walker {
   double speed_limit_ = std::numeric_limits<double>::infinity();  ///< along the path [m/s]
   Holes holes_;
   StepsInPlace in_place_;
+  StepsBeside beside_;
   double print_spread_ = 0.0;  ///< of the last footprints in height [m]
   double spread_ = 0.0;        ///< of the ground of late [m]
   long catches_until_ = 0;     ///< tick until which it may have to catch itself

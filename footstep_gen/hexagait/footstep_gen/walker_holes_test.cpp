@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <testing/kinematic_plant.hpp>
@@ -21,13 +22,20 @@ struct Crossing {
   int searches = 0;       ///< feet that found no ground
 };
 
-Crossing cross(std::uint64_t seed) {
+// Stones of 25 cm with gaps of 15 cm, with a pad in the middle. The right feet walk along a gap.
+double stones(const Vector2& p_O) {
+  const auto on_stone = [](double x) { return x - 0.4 * std::floor(x / 0.4) < 0.25; };
+  const bool pad = std::abs(p_O.x()) < 0.8 && std::abs(p_O.y()) < 0.8;
+  return pad || (on_stone(p_O.x()) && on_stone(p_O.y())) ? 0.0 : -1.0;
+}
+
+Crossing cross(std::uint64_t seed, double (*ground)(const Vector2&) = ditch) {
   const RobotModel argos = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
   WalkerParams params;
   params.control_dt = kDt;
   Walker walker(argos, params);
   testing::KinematicPlant plant(argos, 0.5, {.seed = seed});
-  plant.ground = ditch;
+  plant.ground = ground;
   walker.start(plant.measurement);
   Crossing crossing;
   for (int k = 0; k < 8000; ++k) {
@@ -49,6 +57,14 @@ TEST(WalkerOverHoles, StepsAsFarAsTheWorkspaceWillBeWhenTheFootLands) {
     EXPECT_GT(crossing.searches, 0) << seed;
   }
   EXPECT_GT(over, 31) << "of 48";
+}
+
+// (step 13)
+TEST(WalkerOverHoles, StepsBesideItsPathOnSteppingStones) {
+  int over = 0;
+  for (std::uint64_t seed = 1; seed <= 16; ++seed)
+    over += cross(seed, stones).distance > 3.0 ? 1 : 0;
+  EXPECT_GT(over, 11) << "of 16";
 }
 
 }  // namespace

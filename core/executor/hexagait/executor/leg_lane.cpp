@@ -195,8 +195,7 @@ Vector3 descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X
   const bool wall = depth.hole_known() && below > params.commit_height && !gives_up(lane, params);
   const bool found = sensed.contact && lane.cleared;
   if (found && wall) return climb_out(lane, sensed, X_OB), way_O;
-  if (found && is_edge(lane, sensed, X_OB))
-    return retreat_closer(lane, sensed, X_OB, params), way_O;
+  if (found && is_edge(lane, sensed, X_OB)) return leave_edge(lane, sensed, X_OB, params), way_O;
   if (found && may_be_wall(lane, sensed, X_OB, params)) {
     if (!lane.probes) return begin_probe(lane, sensed, X_OB), press(lane, dt, params);
     const double sunk = lane.probed_at - foot_height(lane, sensed, X_OB);

@@ -292,6 +292,22 @@ TEST(Swing, TriesCloserWhereItTouchesAnEdge) {
   }
 }
 
+// Where a hole is known an edge is the hole's: no ground, at any try, and straight up again.
+TEST(Swing, ClimbsOffTheEdgeOfAHoleThatIsKnown) {
+  Swing swing;
+  swing.touches = [](const Vector3& p) { return p.z() <= -0.005; };
+  FootstepCommand step{0, kTarget, 0.1};
+  step.depth.edge = 0.0025, step.depth.edge_end = 0.02, step.depth.beside_hole = 0.1;
+  command(swing.lane, step, kBody);
+  for (int tries = 1; tries <= 6; ++tries) {
+    swing.until(LegPhase::descend);
+    swing.until(LegPhase::lift);
+    EXPECT_EQ(swing.lane.retreats, tries);
+    EXPECT_TRUE(swing.lane.found_no_ground);
+    EXPECT_EQ(swing.lane.reach_fraction, 1.0);
+  }
+}
+
 // (step 12) What a foot touches far below level ground may be the wall of a hole: it presses, and goes back if it sinks.
 TEST(Swing, GoesBackFromWhatGivesWayFarBelowLevelGround) {
   struct Case {

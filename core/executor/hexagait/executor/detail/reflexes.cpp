@@ -13,8 +13,8 @@ constexpr double kCloser = 0.6;
 // Who has collided more often than this is before a high wall, and rises by so many times more.
 constexpr int kLowTries = 2;
 constexpr double kHigher = 2.0;
-// After so many tries a foot stands on an edge all the same.
-constexpr int kEdgeTries = 2;
+// After so many tries a foot stands on an edge all the same; beside a hole it would slide into it.
+constexpr int kEdgeTries = 2, kEdgeTriesAtHole = 12;
 // Of the search for a foothold, in times that a foot moves back in a retreat.
 constexpr double kSearchWidth = 2.0;
 
@@ -67,7 +67,16 @@ void retreat_closer(LegLane& lane, const LegSensed& sensed, const Pose& X_OB,
 bool is_edge(const LegLane& lane, const LegSensed& sensed, const Pose& X_OB) noexcept {
   const double below = lane.step.p_OT.z() - foot_height(lane, sensed, X_OB);
   const bool at_edge = lane.step.depth.edge < below && below < lane.step.depth.edge_end;
-  return at_edge && lane.retreats < kEdgeTries && !lane.regains;
+  const int tries = lane.step.depth.hole_known() ? kEdgeTriesAtHole : kEdgeTries;
+  return at_edge && lane.retreats < tries && !lane.regains;
+}
+
+void leave_edge(LegLane& lane, const LegSensed& sensed, const Pose& X_OB,
+                const SwingParams& params) noexcept {
+  if (lane.step.depth.hole_known())
+    climb_out(lane, sensed, X_OB);
+  else
+    retreat_closer(lane, sensed, X_OB, params);
 }
 
 bool may_be_wall(const LegLane& lane, const LegSensed& sensed, const Pose& X_OB,

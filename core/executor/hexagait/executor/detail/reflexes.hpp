@@ -35,6 +35,10 @@ void retreat_closer(LegLane& lane, const LegSensed& sensed, const Pose& X_OB,
 /// Does a foot on its way down touch an edge, from which it would slide off, (step 11)?
 [[nodiscard]] bool is_edge(const LegLane& lane, const LegSensed& sensed, const Pose& X_OB) noexcept;
 
+/// The next try is nearer; where a hole is known the edge is its own, and counts as no ground.
+void leave_edge(LegLane& lane, const LegSensed& sensed, const Pose& X_OB,
+                const SwingParams& params) noexcept;
+
 /// There is no ground within reach: straight up again, so that the foot meets no wall of the hole. Where it
 /// tries next, who commands the footsteps knows best.
 void climb_out(LegLane& lane, const LegSensed& sensed, const Pose& X_OB) noexcept;
