@@ -129,7 +129,7 @@ function(hexagait_precompiled target)
 endfunction()
 
 # hexagait_test(NAME  SOURCES … [ALONE …] LIBRARIES …): a GoogleTest program, one ctest entry per test. A unity
-# build joins up to six SOURCES at a time, but not those that are ALONE: their helpers have names that helpers of
+# build joins up to 24 SOURCES at a time, but not those that are ALONE: their helpers have names that helpers of
 # SOURCES have, too.
 function(hexagait_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;ALONE;LIBRARIES")
@@ -137,7 +137,7 @@ function(hexagait_test name)
   target_compile_features(${name} PRIVATE cxx_std_20)
   target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gmock_main)
   hexagait_precompiled(${name})
-  set_target_properties(${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 6)
+  set_target_properties(${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 24)
   set_source_files_properties(${arg_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   # Only where it is used, which is not joined either: elsewhere ccache finds what another clone has compiled.
   foreach(source IN LISTS arg_SOURCES arg_ALONE)

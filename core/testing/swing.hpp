@@ -64,6 +64,11 @@ inline constexpr double kStride = 0.35;  // [m]
 inline const Vector3 kStart(1.3, -1.6, 0.0);
 inline const Vector3 kTarget = kStart + Vector3(0.28, 0.21, 0.0);
 
+/// Way from the start towards the target [m].
+inline double ahead(const Vector3& p_OF) {
+  return (p_OF - kStart).dot((kTarget - kStart) / kStride);
+}
+
 inline double planar_distance(const Vector3& a, const Vector3& b) {
   return (a - b).head<2>().norm();
 }

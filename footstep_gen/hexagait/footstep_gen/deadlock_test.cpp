@@ -115,8 +115,8 @@ TEST(Deadlock, NeighboursOfAFailingLegStepFirst) {
     EXPECT_TRUE(after(deadlock, in, 0.1).held.contains(kRightFront)) << leg;
     in.standing.insert(leg);
   }
-  in.standing.erase(
-      kLeftFront);  // it steps again: neighbours that step in turn never stand all at once
+  // It steps again: neighbours that step in turn never stand all at once.
+  in.standing.erase(kLeftFront);
   const Escape escape = after(deadlock, in, 0.1);
   EXPECT_EQ(escape.phase, EscapePhase::steps);
   EXPECT_TRUE(escape.held.empty());

@@ -14,30 +14,24 @@ constexpr double kWellClear = 1.4;
 }  // namespace
 
 void Holes::add(const Vector2& p_O) noexcept {
-  places_[static_cast<std::size_t>(next_)] = p_O;
-  next_ = (next_ + 1) % kPlaces;
-  size_ = std::min(size_ + 1, kPlaces);
+  if (size_ == kPlaces) {
+    std::shift_left(places_.begin(), places_.end(), 1);
+    --size_;
+  }
+  places_[static_cast<std::size_t>(size_++)] = p_O;
 }
 
 void Holes::forget_beyond(const Vector2& p_O, double distance) noexcept {
-  Holes near;
-  for (int k = 0; k < size_; ++k) {
-    const Vector2& hole =
-        places_[static_cast<std::size_t>((next_ + kPlaces - size_ + k) % kPlaces)];
-    if ((hole - p_O).norm() > distance) continue;
-    near.places_[static_cast<std::size_t>(near.next_++)] = hole;
-    ++near.size_;
-  }
-  near.next_ %= kPlaces;
-  near.half_width_ = half_width_;
-  *this = near;
+  const auto far = [&](const Vector2& hole) { return (hole - p_O).norm() > distance; };
+  Vector2* const begin = places_.data();
+  size_ = static_cast<int>(std::remove_if(begin, begin + size_, far) - begin);
 }
 
 bool Holes::beside(const Vector2& p_O, const Vector2& along_O, double near) const noexcept {
   constexpr double kFar = 6.0, kAhead = 0.2;
   bool ahead = false, behind = false;
-  for (int k = 0; k < size_; ++k) {
-    const Vector2 way = places_[static_cast<std::size_t>(k)] - p_O;
+  for (const Vector2& hole : places()) {
+    const Vector2 way = hole - p_O;
     const double along = along_O.dot(way), across = (way - along * along_O).norm();
     if (way.norm() > kFar * near || across < near) continue;
     ahead = ahead || along > kAhead * near;
@@ -49,8 +43,8 @@ bool Holes::beside(const Vector2& p_O, const Vector2& along_O, double near) cons
 double Holes::distance(const Vector2& p_O, const Vector2& along_O) const noexcept {
   constexpr double kAcross = 0.05;
   double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < size_; ++k) {
-    const Vector2 way = places_[static_cast<std::size_t>(k)] - p_O;
+  for (const Vector2& hole : places()) {
+    const Vector2 way = hole - p_O;
     const double along = along_O.dot(way);
     const double aside = (way - along * along_O).norm();
     if (aside > half_width_) continue;

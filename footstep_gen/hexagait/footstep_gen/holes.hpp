@@ -8,6 +8,7 @@
 #include <hexagait/math/leg.hpp>
 #include <limits>
 #include <optional>
+#include <span>
 
 namespace hexagait::footstep_gen {
 
@@ -31,9 +32,13 @@ class Holes {
 
  private:
   static constexpr int kPlaces = 16;
-  std::array<Vector2, kPlaces> places_{};
+  [[nodiscard]] std::span<const Vector2> places() const noexcept {
+    return std::span(places_).first(static_cast<std::size_t>(size_));
+  }
+
+  std::array<Vector2, kPlaces> places_{};  // oldest first
   double half_width_ = std::numeric_limits<double>::infinity();
-  int size_ = 0, next_ = 0;
+  int size_ = 0;
 };
 
 /// How often in a row each leg has stepped in place, since the ground beyond is in the margin of a hole. Holes are not

@@ -51,8 +51,8 @@ class StepsBeside {
   }
 
  private:
-  static constexpr int kTries =
-      2;  // at each place: the foothold asked for, and the end of the workspace
+  // At each place: the foothold asked for, and the end of the workspace.
+  static constexpr int kTries = 2;
   static constexpr int kPlaces = 5, kPlacesAtDitch = 2;
 
   std::array<int, 2> place_{};  // of the right and the left side

@@ -6,6 +6,7 @@
 #include <hexagait/footstep_gen/generator.hpp>
 #include <hexagait/footstep_gen/holes.hpp>
 #include <hexagait/footstep_gen/lost_legs.hpp>
+#include <hexagait/footstep_gen/print_plane.hpp>
 #include <hexagait/footstep_gen/roughness.hpp>
 #include <hexagait/footstep_gen/steps_beside.hpp>
 #include <hexagait/footstep_gen/tick_record.hpp>
@@ -178,6 +179,7 @@ class Walker {
   Holes holes_;
   StepsInPlace in_place_;
   StepsBeside beside_;
+  PrintPlane print_plane_;     ///< of the last footprints, where holes are known
   double print_spread_ = 0.0;  ///< of the last footprints in height [m]
   double spread_ = 0.0;        ///< of the ground of late [m]
   long catches_until_ = 0;     ///< tick until which it may have to catch itself

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <hexagait/footstep_gen/print_plane.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
 #include <limits>
 #include <optional>
@@ -56,6 +55,7 @@ void Walker::learn_holes() noexcept {
       holes_.add((record_.state.X_OB * lane.p_BF).head<2>());
     }
   }
+  if (!holes_.empty()) print_plane_ = plane_through(record_.state.print_O);
   holes_.set_half_width(beside_.any() ? kHalfStone * executor_.stance().radius[0]
                                       : std::numeric_limits<double>::infinity());
 }
@@ -83,10 +83,9 @@ void Walker::keep_clear_of_holes(FootstepCommand& step, double to_come) const no
                stones ? std::optional<Disc>({along_arc(to_come), kWithin * radius}) : std::nullopt);
   step.p_OT.head<2>() = place.p_O;
   // Beside a hole an edge counts, also where feet that stand on edges make the prints differ, or odometry tilts.
-  const PrintPlane plane = plane_through(record_.state.print_O);
-  if (plane.off < kEven * model_->foot_radius) {
-    step.p_OT.z() = plane.at(place.p_O);
-    depth.edge = edge_depth(plane.off, model_->foot_radius);
+  if (print_plane_.off < kEven * model_->foot_radius) {
+    step.p_OT.z() = print_plane_.at(place.p_O);
+    depth.edge = edge_depth(print_plane_.off, model_->foot_radius);
     depth.presses = params_.sensors.joint_feedback;
   }
   if (stones || place.off < kBeside * radius) depth.beside_hole = params_.step.height;

@@ -165,7 +165,7 @@ describe("a page from disk", () => {
     writeFileSync(bad, readFileSync(html, "utf8").replace(/(id="replay">.{2000}).{400}/, `$1${"A".repeat(400)}`));
     const context = await browser.newContext(), broken = await context.newPage();
     await broken.goto(pathToFileURL(bad).href);
-    await broken.waitForFunction(() => document.getElementById("state")?.textContent === "the replay is cut off or damaged");
+    await says(broken, "state", "the replay is cut off or damaged");
     await context.close();
   });
 });

@@ -27,6 +27,11 @@ void let_go(LegLane& lane, const LegSensed& sensed) {
   lane.haste = 1.0;
 }
 
+// How far the foot is below the ground that is expected [m].
+double depth_of(const LegLane& lane, const LegSensed& sensed, const Pose& X_OB) {
+  return lane.step.p_OT.z() - foot_height(lane, sensed, X_OB);
+}
+
 void search_elsewhere(LegLane& lane, const SwingParams& params) {
   if (lane.retreats < params.max_retreats) return;
   if (lane.retreats == params.max_retreats) {
@@ -65,9 +70,10 @@ void retreat_closer(LegLane& lane, const LegSensed& sensed, const Pose& X_OB,
 }
 
 bool is_edge(const LegLane& lane, const LegSensed& sensed, const Pose& X_OB) noexcept {
-  const double below = lane.step.p_OT.z() - foot_height(lane, sensed, X_OB);
-  const bool at_edge = lane.step.depth.edge < below && below < lane.step.depth.edge_end;
-  const int tries = lane.step.depth.hole_known() ? kEdgeTriesAtHole : kEdgeTries;
+  const SearchDepth& depth = lane.step.depth;
+  const double below = depth_of(lane, sensed, X_OB);
+  const bool at_edge = depth.edge < below && below < depth.edge_end;
+  const int tries = depth.hole_known() ? kEdgeTriesAtHole : kEdgeTries;
   return at_edge && lane.retreats < tries && !lane.regains;
 }
 
@@ -82,7 +88,7 @@ void leave_edge(LegLane& lane, const LegSensed& sensed, const Pose& X_OB,
 bool may_be_wall(const LegLane& lane, const LegSensed& sensed, const Pose& X_OB,
                  const SwingParams& params) noexcept {
   const SearchDepth& depth = lane.step.depth;
-  const double below = lane.step.p_OT.z() - foot_height(lane, sensed, X_OB);
+  const double below = depth_of(lane, sensed, X_OB);
   return depth.presses && below >= depth.edge_end && !lane.regains && !gives_up(lane, params);
 }
 
