@@ -5,6 +5,7 @@
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <testing/kinematic_plant.hpp>
+#include <testing/source_path.hpp>
 #include <vector>
 
 // The whole controller, walking. Its answers move the kinematic plant, so measurements are recorded
@@ -52,7 +53,7 @@ void play(benchmark::State& state, const RobotModel& robot, const Heading& headi
   state.counters["joints"] = 3.0 * robot.num_legs();
 }
 
-RobotModel argos() { return load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf"); }
+RobotModel argos() { return load_urdf(hexagait::testing::source_path("robots/argos.urdf")); }
 
 void controller_tick_straight(benchmark::State& state) {
   play(state, argos(), Heading::straight(0.0));

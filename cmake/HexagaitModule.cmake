@@ -30,10 +30,9 @@ endfunction()
 
 function(hexagait_module name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "COLD" "COMPONENT"
-                        "SOURCES;TESTS;TESTS_ALONE;TEST_LIBRARIES;PUBLIC;PRIVATE")
+                        "SOURCES;TESTS;TEST_LIBRARIES;PUBLIC;PRIVATE")
   list(TRANSFORM arg_SOURCES PREPEND hexagait/${name}/)
   list(TRANSFORM arg_TESTS PREPEND hexagait/${name}/)
-  list(TRANSFORM arg_TESTS_ALONE PREPEND hexagait/${name}/)
 
   set(scope PUBLIC)
   if(arg_SOURCES)
@@ -66,7 +65,7 @@ function(hexagait_module name)
           FILES_MATCHING PATTERN "*.hpp" PATTERN "detail" EXCLUDE)
 
   if(HEXAGAIT_TESTS AND arg_TESTS)
-    hexagait_test(${name}_test SOURCES ${arg_TESTS} ALONE ${arg_TESTS_ALONE}
+    hexagait_test(${name}_test SOURCES ${arg_TESTS}
                   LIBRARIES hexagait::${name} ${arg_TEST_LIBRARIES})
   endif()
 endfunction()
@@ -128,25 +127,16 @@ function(hexagait_precompiled target)
   target_precompile_headers(${target} REUSE_FROM hexagait_test_headers)
 endfunction()
 
-# hexagait_test(NAME  SOURCES … [ALONE …] LIBRARIES …): a GoogleTest program, one ctest entry per test. A unity
-# build joins up to 24 SOURCES at a time, but not those that are ALONE: their helpers have names that helpers of
-# SOURCES have, too.
+# hexagait_test(NAME  SOURCES … LIBRARIES …): a GoogleTest program, one ctest entry per test. A unity build joins
+# its SOURCES, since most of their time is that of the templates which they share: where helpers have names that
+# those of another test have, too, they are in a namespace that is named after the file.
 function(hexagait_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;ALONE;LIBRARIES")
-  add_executable(${name} ${arg_SOURCES} ${arg_ALONE})
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LIBRARIES")
+  add_executable(${name} ${arg_SOURCES})
   target_compile_features(${name} PRIVATE cxx_std_20)
-  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} GTest::gmock_main)
+  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} hexagait_source_path GTest::gmock_main)
   hexagait_precompiled(${name})
-  set_target_properties(${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 24)
-  set_source_files_properties(${arg_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-  # Only where it is used, which is not joined either: elsewhere ccache finds what another clone has compiled.
-  foreach(source IN LISTS arg_SOURCES arg_ALONE)
-    file(STRINGS ${source} uses REGEX HEXAGAIT_SOURCE_DIR LIMIT_COUNT 1)
-    if(uses)
-      set_source_files_properties(${source} PROPERTIES COMPILE_DEFINITIONS
-                                  HEXAGAIT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-    endif()
-  endforeach()
+  set_target_properties(${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 16)
   hexagait_options(${name} TEST)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST)
 endfunction()

@@ -19,9 +19,9 @@
 namespace hexagait::app {
 
 namespace fs = std::filesystem;
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::IsEmpty;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 inline std::string content(const fs::path& file) {
   std::ifstream stream(file);
@@ -34,10 +34,10 @@ struct Result {
 };
 
 // Every test has an empty directory, in which the command runs. Output is caught outside of it.
-class Cli : public testing::Test {
+class Cli : public ::testing::Test {
  protected:
   Cli() {
-    std::string pattern = testing::TempDir() + "hexagait-cli-XXXXXX";
+    std::string pattern = ::testing::TempDir() + "hexagait-cli-XXXXXX";
     root_ = mkdtemp(pattern.data());
     fs::create_directory(here());
   }

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <testing/source_path.hpp>
+
 #include "cli_fixture.hpp"
 
 // Bad usage and bad input: one message that says what, where, and what would be right.
@@ -144,7 +146,7 @@ TEST_F(Cli, RefusesAnEmptyValue) {
 }
 
 TEST_F(Cli, FindsAFileInTheFolderAndSaysHowToNameOneThatLacksItsSuffix) {
-  fs::copy_file(fs::path(HEXAGAIT_SOURCE_DIR) / "robots/argos.urdf", here() / "desk_noext");
+  fs::copy_file(fs::path(testing::source_path("robots/argos.urdf")), here() / "desk_noext");
   EXPECT_THAT(run("robot desk_noext").out, HasSubstr("6 legs"));
   fs::rename(here() / "desk_noext", here() / ".." / "desk.urdf");
   refuses("robot ../desk", {"'../desk'", "did you mean '../desk.urdf'?"});

@@ -264,7 +264,7 @@ TEST_F(Cli, MakesAPageOfResultsWithEachFigureItsBoundAndItsCommand) {
               AllOf(HasSubstr("`hexagait experiment table1`"), HasSubstr("| states | 62 | 62 |"),
                     HasSubstr("**as expected, does not hold**"), HasSubstr("expected -33 to -18 %"),
                     HasSubstr("| because ")));
-  EXPECT_THAT(page, testing::Not(HasSubstr("fig10")));
+  EXPECT_THAT(page, ::testing::Not(HasSubstr("fig10")));
 }
 
 // Each section says when it was measured; what another one says stays to the letter.
@@ -282,7 +282,7 @@ TEST_F(Cli, MeasuresOneGroupOfThePageOfResultsAgain) {
   std::ofstream(here() / "page.md") << page;
   ASSERT_EQ(run("results --only fig7a --out page.md --figures r --quiet").status, 0);
   EXPECT_THAT(content(here() / "page.md"),
-              AllOf(testing::StartsWith(table1), HasSubstr("`hexagait experiment fig7a`, 20")));
+              AllOf(::testing::StartsWith(table1), HasSubstr("`hexagait experiment fig7a`, 20")));
   ASSERT_EQ(run("results --only table1 --out page.md --figures r --quiet").status, 0);
   EXPECT_THAT(content(here() / "page.md"),
               AllOf(HasSubstr("| states | 62 | 62 |"),

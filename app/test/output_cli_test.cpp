@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <nlohmann/json.hpp>
+#include <testing/source_path.hpp>
 
 #include "cli_fixture.hpp"
 
@@ -112,7 +113,7 @@ TEST_F(Cli, ThatDoesNotArriveSaysSoAndFails) {
 // Masses that can't be are replaced, and said so: in the table, and on stderr of what moves.
 TEST_F(Cli, SaysWhatItSubstitutesOfARobot) {
   EXPECT_THAT(run("robot argos").err, IsEmpty());
-  std::string text = content(fs::path(HEXAGAIT_SOURCE_DIR) / "robots/quadruped.urdf");
+  std::string text = content(fs::path(testing::source_path("robots/quadruped.urdf")));
   const std::string from = "<mass value=\"";
   for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + 1)) {
     const std::size_t begin = at + from.size();
@@ -148,11 +149,11 @@ TEST_F(Cli, RefusesOverridesOfARobotThatAreNone) {
 // No path of the source tree is in the command: it finds its robots beside itself, or where
 // HEXAGAIT_DATA says, and names the folder if there are none.
 TEST_F(Cli, DoesNotKnowTheSourceTree) {
-  EXPECT_EQ(content(HEXAGAIT_COMMAND).find(HEXAGAIT_SOURCE_DIR), std::string::npos);
+  EXPECT_EQ(content(HEXAGAIT_COMMAND).find(testing::source_path("")), std::string::npos);
 }
 
 TEST_F(Cli, FindsItsRobotsBesideItselfOrWhereItIsTold) {
-  const fs::path source = HEXAGAIT_SOURCE_DIR, prefix = here() / "prefix";
+  const fs::path source = testing::source_path("."), prefix = here() / "prefix";
   fs::create_directories(prefix / "bin");
   fs::copy_file(HEXAGAIT_COMMAND, prefix / "bin/hexagait");
   command_ = prefix / "bin/hexagait";

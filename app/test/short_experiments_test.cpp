@@ -27,7 +27,7 @@ TEST_F(ShortExperiment, IsMadeHereOfEachThatThereIs) {
     names.push_back(experiment["name"]);
     shown += experiment["shows"] != "" ? 1 : 0;
   }
-  EXPECT_THAT(names, testing::ElementsAreArray(kNames));
+  EXPECT_THAT(names, ::testing::ElementsAreArray(kNames));
   EXPECT_EQ(shown, 16);
 }
 
@@ -41,7 +41,7 @@ TEST_F(ShortExperiment, StandsOnOnePageWithOthers) {
 }
 
 class AnyShortExperiment : public ShortExperiment,
-                           public testing::WithParamInterface<const char*> {};
+                           public ::testing::WithParamInterface<const char*> {};
 
 TEST_P(AnyShortExperiment, HoldsItsClaims) {
   const std::string name = GetParam();
@@ -70,7 +70,7 @@ TEST_P(AnyShortExperiment, HoldsItsClaims) {
     EXPECT_EQ(replay["robot"], "lauron");
   }
 }
-INSTANTIATE_TEST_SUITE_P(All, AnyShortExperiment, testing::ValuesIn(kNames),
+INSTANTIATE_TEST_SUITE_P(All, AnyShortExperiment, ::testing::ValuesIn(kNames),
                          [](const auto& tested) { return std::string(tested.param); });
 
 }  // namespace

@@ -41,7 +41,7 @@ TEST_F(Steer, RefusesAPortThatIsNone) {
     const Result result = run(std::string("steer --seconds 0.1 --port ") + port);
     EXPECT_EQ(result.status, 2);
     EXPECT_THAT(result.err,
-                testing::AnyOf(HasSubstr("--port"), HasSubstr("the page was not built")));
+                ::testing::AnyOf(HasSubstr("--port"), HasSubstr("the page was not built")));
   }
 }
 // A robot in a process of its own, as examples/simulated_robot is one.

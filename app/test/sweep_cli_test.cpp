@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <testing/source_path.hpp>
 
 #include "cli_fixture.hpp"
 
@@ -263,7 +264,7 @@ TEST_F(SweepCli, WritesJobFilesThatABashCanRead) {
 
 // What its file does not say is never substituted in silence.
 TEST_F(SweepCli, TellsWhatOfARobotIsSubstituted) {
-  std::string urdf = content(fs::path(HEXAGAIT_SOURCE_DIR) / "robots/argos.urdf");
+  std::string urdf = content(fs::path(testing::source_path("robots/argos.urdf")));
   const std::size_t effort = urdf.find("effort=\"200\"");
   ASSERT_NE(effort, std::string::npos);
   write("my.urdf", urdf.replace(effort, 12, "effort=\"0\""));
@@ -277,7 +278,7 @@ TEST_F(SweepCli, TellsWhatOfARobotIsSubstituted) {
 
 // A robot named by a relative path is found from every shard.
 TEST_F(SweepCli, RunsJobFilesWithARobotOfARelativePath) {
-  const fs::path argos = fs::path(HEXAGAIT_SOURCE_DIR) / "robots/argos.urdf";
+  const fs::path argos = fs::path(testing::source_path("robots/argos.urdf"));
   fs::copy_file(argos, at("my.urdf"));
   write("walk.yaml",
         "simulator: ode\ncontrollers: [free]\nrobots: [./my.urdf]\nterrains: [flat]\nseeds: 2\n"

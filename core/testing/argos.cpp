@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <hexagait/urdf/urdf.hpp>
 #include <testing/argos.hpp>
+#include <testing/source_path.hpp>
 
 namespace hexagait::testing {
 
 const RobotModel& argos() {
-  static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  static const RobotModel model = load_urdf(source_path("robots/argos.urdf"));
   return model;
 }
 

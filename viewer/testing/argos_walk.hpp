@@ -6,13 +6,14 @@
 #include <hexagait/urdf/urdf.hpp>
 #include <hexagait/viewer/walking/simulated_walk.hpp>
 #include <limits>
+#include <testing/source_path.hpp>
 
 namespace hexagait::viewer::testing {
 
 inline constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 inline const RobotModel& argos() {
-  static const RobotModel robot = load_urdf(HEXAGAIT_ROBOTS "/argos.urdf");
+  static const RobotModel robot = load_urdf(hexagait::testing::source_path("robots/argos.urdf"));
   return robot;
 }
 

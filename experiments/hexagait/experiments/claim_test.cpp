@@ -11,8 +11,8 @@
 namespace hexagait::experiments {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 
 const double kNaN = std::nan("");
 const double kInf = std::numeric_limits<double>::infinity();

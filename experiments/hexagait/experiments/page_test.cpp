@@ -12,13 +12,13 @@ namespace hexagait::experiments {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 // A directory with one experiment, whose figure has the bytes `figure`; the page made of it.
 std::string page_of(const Manifest& manifest, const std::string& figure) {
-  std::string pattern = testing::TempDir() + "hexagait-page-XXXXXX";
+  std::string pattern = ::testing::TempDir() + "hexagait-page-XXXXXX";
   const fs::path out = mkdtemp(pattern.data());
   fs::create_directory(out / manifest.experiment);
   for (const Manifest::Output& output : manifest.outputs)

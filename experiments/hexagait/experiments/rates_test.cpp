@@ -4,7 +4,7 @@
 
 #include <hexagait/experiments/rates.hpp>
 
-namespace hexagait::experiments {
+namespace hexagait::experiments::rates_test {
 namespace {
 
 constexpr double kReach = 0.6;  // [m]
@@ -76,4 +76,4 @@ TEST(JudgeRateOnTerrain, CountsWhoArrives) {
 }
 
 }  // namespace
-}  // namespace hexagait::experiments
+}  // namespace hexagait::experiments::rates_test

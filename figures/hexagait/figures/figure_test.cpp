@@ -9,8 +9,8 @@
 namespace hexagait::figures {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(Variables, AreALineEachAsGnuplotSpellsThem) {
   const Variables variables = {{"legs", 6},
@@ -40,7 +40,7 @@ std::string drawn(StagedFiles& files, const Figure& figure, std::string_view scr
 constexpr std::string_view kScript = "eval area_panel\neval heading('a', 'Panel')\nplot [0:1] x";
 
 TEST(Figure, IsDrawnInAllFormatsByAScriptThatStandsAlone) {
-  StagedFiles files(testing::TempDir());
+  StagedFiles files(::testing::TempDir());
   const Figure figure{.stem = "figure", .headline = "Top", .subtitle = "below", .height = 500};
   const std::string svg = drawn(files, figure, kScript);
   EXPECT_THAT(svg, HasSubstr("width=\"1500\" height=\"500\""));
@@ -54,14 +54,14 @@ TEST(Figure, IsDrawnInAllFormatsByAScriptThatStandsAlone) {
 
 // The panel keeps its size: 0.7 · 500 px.
 TEST(Figure, WithoutTitlesIsAsMuchLessTall) {
-  StagedFiles files(testing::TempDir());
+  StagedFiles files(::testing::TempDir());
   const Figure figure{.stem = "figure", .headline = "", .subtitle = "", .height = 500};
   EXPECT_THAT(drawn(files, figure, kScript), HasSubstr("width=\"1500\" height=\"435\""));
 }
 
 // 15 pt are 20 px, and a letter some 12 px wide.
 TEST(Figure, LongTitlesAreSetInSmallerLetters) {
-  StagedFiles files(testing::TempDir());
+  StagedFiles files(::testing::TempDir());
   const std::string shorter(100, 'n'), longer(200, 'n');
   EXPECT_THAT(drawn(files, {.stem = "figure", .headline = shorter, .subtitle = ""}, kScript),
               HasSubstr("font-size=\"20.00\""));
@@ -70,7 +70,7 @@ TEST(Figure, LongTitlesAreSetInSmallerLetters) {
 }
 
 TEST(Figure, ThatGnuplotRefusesSaysWhy) {
-  StagedFiles files(testing::TempDir());
+  StagedFiles files(::testing::TempDir());
   try {
     drawn(files, {.stem = "figure", .headline = "", .subtitle = ""}, "plot 'missing.csv'");
     FAIL();

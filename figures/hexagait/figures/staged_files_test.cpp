@@ -14,13 +14,13 @@ namespace hexagait::figures {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::AllOf;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 
-class StagedFilesTest : public testing::Test {
+class StagedFilesTest : public ::testing::Test {
  protected:
   StagedFilesTest() {
-    std::string pattern = testing::TempDir() + "hexagait-staged-XXXXXX";
+    std::string pattern = ::testing::TempDir() + "hexagait-staged-XXXXXX";
     root_ = mkdtemp(pattern.data());
   }
   ~StagedFilesTest() override { fs::remove_all(root_); }

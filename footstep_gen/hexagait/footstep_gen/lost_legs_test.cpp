@@ -8,7 +8,7 @@
 #include <testing/kinematic_plant.hpp>
 
 // Robots that lose legs, and sensors that lie, on a plant that follows exactly.
-namespace hexagait::footstep_gen {
+namespace hexagait::footstep_gen::lost_legs_test {
 namespace {
 
 using heading_control::Heading;
@@ -195,4 +195,4 @@ TEST(LegWatch, FindsNothingInASoundRobot) {
 }
 
 }  // namespace
-}  // namespace hexagait::footstep_gen
+}  // namespace hexagait::footstep_gen::lost_legs_test

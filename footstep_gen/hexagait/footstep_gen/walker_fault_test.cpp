@@ -11,7 +11,7 @@
 #include <testing/kinematic_plant.hpp>
 #include <vector>
 
-namespace hexagait::footstep_gen {
+namespace hexagait::footstep_gen::walker_fault_test {
 namespace {
 
 using heading_control::Heading;
@@ -379,4 +379,4 @@ TEST(WalkerParams, ThatAreOutOfRangeAreNamed) {
 }
 
 }  // namespace
-}  // namespace hexagait::footstep_gen
+}  // namespace hexagait::footstep_gen::walker_fault_test

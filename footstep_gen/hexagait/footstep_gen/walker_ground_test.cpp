@@ -18,7 +18,7 @@
 
 // Steps and speed for the ground that the feet have found, and as asked.
 
-namespace hexagait::footstep_gen {
+namespace hexagait::footstep_gen::walker_ground_test {
 namespace {
 
 using heading_control::Heading;
@@ -419,4 +419,4 @@ TEST(Walker, BeginsNoStepForLostContactBesideAStep) {
 }
 
 }  // namespace
-}  // namespace hexagait::footstep_gen
+}  // namespace hexagait::footstep_gen::walker_ground_test

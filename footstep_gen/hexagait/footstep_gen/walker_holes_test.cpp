@@ -6,8 +6,9 @@
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <testing/kinematic_plant.hpp>
+#include <testing/source_path.hpp>
 
-namespace hexagait::footstep_gen {
+namespace hexagait::footstep_gen::walker_holes_test {
 namespace {
 
 constexpr double kDt = 0.005;
@@ -30,7 +31,7 @@ double stones(const Vector2& p_O) {
 }
 
 Crossing cross(std::uint64_t seed, double (*ground)(const Vector2&) = ditch) {
-  const RobotModel argos = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  const RobotModel argos = load_urdf(hexagait::testing::source_path("robots/argos.urdf"));
   WalkerParams params;
   params.control_dt = kDt;
   Walker walker(argos, params);
@@ -68,4 +69,4 @@ TEST(WalkerOverHoles, StepsBesideItsPathOnSteppingStones) {
 }
 
 }  // namespace
-}  // namespace hexagait::footstep_gen
+}  // namespace hexagait::footstep_gen::walker_holes_test

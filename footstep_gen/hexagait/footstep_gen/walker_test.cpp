@@ -11,7 +11,7 @@
 #include <testing/control_period.hpp>
 #include <vector>
 
-namespace hexagait::footstep_gen {
+namespace hexagait::footstep_gen::walker_test {
 namespace {
 
 // A walker keeps a pointer to the model: made from a temporary one, it would dangle.
@@ -329,4 +329,4 @@ TEST(WalkerSensors, AreNotNeededToWalk) {
 }
 
 }  // namespace
-}  // namespace hexagait::footstep_gen
+}  // namespace hexagait::footstep_gen::walker_test

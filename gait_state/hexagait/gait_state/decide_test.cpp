@@ -6,7 +6,7 @@
 #include <hexagait/gait_state/ring.hpp>
 #include <random>
 
-namespace hexagait::gait_state {
+namespace hexagait::gait_state::decide_test {
 namespace {
 
 constexpr GaitParams kParams{.tie_tolerance = 1e-3};
@@ -74,4 +74,4 @@ TEST(RuleOne, IsBrokenByLegsThatLiftTogetherAndBesideALegInTheAir) {
 }
 
 }  // namespace
-}  // namespace hexagait::gait_state
+}  // namespace hexagait::gait_state::decide_test

@@ -9,7 +9,7 @@
 #include <vector>
 
 // No sequence of inputs makes the gait state cyclic, so with all feet down somebody may step.
-namespace hexagait::gait_state {
+namespace hexagait::gait_state::latch_cycle_test {
 namespace {
 
 constexpr double kTolerance = 1e-3;
@@ -130,4 +130,4 @@ TEST(Urgency, SettlesAfterTwoUpdates) {
 }
 
 }  // namespace
-}  // namespace hexagait::gait_state
+}  // namespace hexagait::gait_state::latch_cycle_test

@@ -9,7 +9,7 @@
 
 // Sensor noise at the rate of the control loop must not re-decide relations: each decision wipes
 // out the adjustment of that relation.
-namespace hexagait::gait_state {
+namespace hexagait::gait_state::latch_noise_test {
 namespace {
 
 constexpr GaitParams kParams{.tie_tolerance = 1e-3};
@@ -81,4 +81,4 @@ TEST(Noise, AboveTheToleranceTurnsTiesAgainAndAgain) {
 }
 
 }  // namespace
-}  // namespace hexagait::gait_state
+}  // namespace hexagait::gait_state::latch_noise_test

@@ -8,7 +8,7 @@
 #include <vector>
 
 // The rules of the latch one by one, on six legs. Lags are in units of the tolerance.
-namespace hexagait::gait_state {
+namespace hexagait::gait_state::latch_test {
 namespace {
 
 constexpr double kTolerance = 1e-3;
@@ -167,4 +167,4 @@ TEST(Latch, StartsAfreshForAnotherNumberOfLegs) {
 }
 
 }  // namespace
-}  // namespace hexagait::gait_state
+}  // namespace hexagait::gait_state::latch_test

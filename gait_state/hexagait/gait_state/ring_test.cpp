@@ -6,7 +6,7 @@
 #include <hexagait/gait_state/ring.hpp>
 #include <vector>
 
-namespace hexagait::gait_state {
+namespace hexagait::gait_state::ring_test {
 namespace {
 
 constexpr int kRings[] = {4, 6, 8, 10, 12};
@@ -147,4 +147,4 @@ TEST(Ring, LegsBesideALostOneAreNeighbours) {
 }
 
 }  // namespace
-}  // namespace hexagait::gait_state
+}  // namespace hexagait::gait_state::ring_test

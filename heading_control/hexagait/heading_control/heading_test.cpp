@@ -113,7 +113,7 @@ std::string refusal(double r, double alpha) {
 }
 
 TEST(Heading, RefusesWhatIsNoHeadingAndSaysWhy) {
-  using testing::HasSubstr;
+  using ::testing::HasSubstr;
   EXPECT_THAT(refusal(0.0, 0.0), HasSubstr("radius 0"));
   EXPECT_THAT(refusal(-0.0, 0.0), HasSubstr("spin"));
   EXPECT_THAT(refusal(kNaN, 0.0), HasSubstr("radius must be a number"));

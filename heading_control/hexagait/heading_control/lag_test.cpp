@@ -5,7 +5,7 @@
 #include <hexagait/heading_control/path_arc.hpp>
 #include <hexagait/sim/random.hpp>
 
-namespace hexagait::heading_control {
+namespace hexagait::heading_control::lag_test {
 namespace {
 
 constexpr double kReach = 0.2;
@@ -147,4 +147,4 @@ TEST(Lag, IsUnchangedByMirroringOrTurningTheWholeProblem) {
 }
 
 }  // namespace
-}  // namespace hexagait::heading_control
+}  // namespace hexagait::heading_control::lag_test

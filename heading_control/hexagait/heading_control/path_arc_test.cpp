@@ -5,7 +5,7 @@
 #include <hexagait/heading_control/path_arc.hpp>
 #include <hexagait/sim/random.hpp>
 
-namespace hexagait::heading_control {
+namespace hexagait::heading_control::path_arc_test {
 namespace {
 
 // Six legs, two by two: x = 0.4, 0, −0.4; y = ±0.3.
@@ -238,4 +238,4 @@ TEST(Aep, ScalesWithTheWholeProblem) {
 }
 
 }  // namespace
-}  // namespace hexagait::heading_control
+}  // namespace hexagait::heading_control::path_arc_test

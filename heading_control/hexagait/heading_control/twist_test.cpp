@@ -6,7 +6,7 @@
 #include <hexagait/sim/random.hpp>
 #include <limits>
 
-namespace hexagait::heading_control {
+namespace hexagait::heading_control::twist_test {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -83,4 +83,4 @@ TEST(ToTwist, IsZeroWhenStopped) {
 }
 
 }  // namespace
-}  // namespace hexagait::heading_control
+}  // namespace hexagait::heading_control::twist_test

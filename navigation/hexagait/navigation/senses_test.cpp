@@ -4,13 +4,15 @@
 
 #include <hexagait/navigation/senses.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <testing/source_path.hpp>
 
 namespace hexagait::navigation {
 namespace {
 
-class LayoutOf : public testing::TestWithParam<const char*> {
+class LayoutOf : public ::testing::TestWithParam<const char*> {
  protected:
-  RobotModel robot_ = load_urdf(std::string(HEXAGAIT_SOURCE_DIR "/robots/") + GetParam() + ".urdf");
+  RobotModel robot_ =
+      load_urdf(testing::source_path("robots/" + std::string(GetParam()) + ".urdf"));
   SenseLayout layout_ = sense_layout_for(robot_);
 
   // Where a beam meets level ground.
@@ -54,8 +56,8 @@ TEST_P(LayoutOf, WhiskersReachFartherThanTheFeetAndMirrorEachOther) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, LayoutOf,
-                         testing::Values("genghis", "argos", "mite", "titan", "quadruped",
-                                         "octopod"));
+                         ::testing::Values("genghis", "argos", "mite", "titan", "quadruped",
+                                           "octopod"));
 
 }  // namespace
 }  // namespace hexagait::navigation

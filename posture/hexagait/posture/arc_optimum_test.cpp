@@ -7,7 +7,7 @@
 #include <hexagait/sim/random.hpp>
 #include <testing/random_feet.hpp>
 
-namespace hexagait::posture {
+namespace hexagait::posture::arc_optimum_test {
 namespace {
 
 using testing::centres;
@@ -274,4 +274,4 @@ TEST(ArcOptimum, DoesNotDependOnHowTheLineIsDescribed) {
 }
 
 }  // namespace
-}  // namespace hexagait::posture
+}  // namespace hexagait::posture::arc_optimum_test

@@ -5,7 +5,7 @@
 #include <hexagait/math/leg.hpp>
 #include <hexagait/posture/clearance.hpp>
 
-namespace hexagait::posture {
+namespace hexagait::posture::clearance_test {
 namespace {
 
 // Feet of a robot whose body is 0.3 m above them.
@@ -59,4 +59,4 @@ TEST(Clearance, DoesNotCountLegsThatAreLost) {
 }
 
 }  // namespace
-}  // namespace hexagait::posture
+}  // namespace hexagait::posture::clearance_test

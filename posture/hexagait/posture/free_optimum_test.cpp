@@ -8,7 +8,7 @@
 #include <hexagait/sim/random.hpp>
 #include <testing/random_feet.hpp>
 
-namespace hexagait::posture {
+namespace hexagait::posture::free_optimum_test {
 namespace {
 
 using testing::centres;
@@ -142,4 +142,4 @@ TEST(FreeOptimum, TurnsTheLeastForFeetOnALine) {
 }
 
 }  // namespace
-}  // namespace hexagait::posture
+}  // namespace hexagait::posture::free_optimum_test

@@ -7,12 +7,13 @@
 #include <hexagait/script/preview.hpp>
 #include <hexagait/sim/random.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <testing/source_path.hpp>
 
 namespace hexagait::posture {
 namespace {
 
 const RobotModel& argos() {
-  static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  static const RobotModel model = load_urdf(hexagait::testing::source_path("robots/argos.urdf"));
   return model;
 }
 

@@ -5,7 +5,7 @@
 #include <hexagait/math/geometry.hpp>
 #include <hexagait/posture/lean.hpp>
 
-namespace hexagait::posture {
+namespace hexagait::posture::lean_test {
 namespace {
 
 const Vector3 kMass(0.02, -0.01, -0.02);
@@ -52,4 +52,4 @@ TEST(Lean, IsBounded) {
 }
 
 }  // namespace
-}  // namespace hexagait::posture
+}  // namespace hexagait::posture::lean_test

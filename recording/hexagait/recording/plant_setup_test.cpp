@@ -8,11 +8,12 @@
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <numbers>
+#include <testing/source_path.hpp>
 
 namespace hexagait::recording {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 TEST(PlantSetup, ReadsPresetsAndWhatDiffersFromThem) {
   EXPECT_EQ(parse_plant("ideal").world.friction, sim3d::WorldParams{}.friction);
@@ -90,7 +91,7 @@ TEST(PlantSetup, EveryNumberIsWithinItsRangeByDefaultAndAtItsEnds) {
 
 // World and faults both reach the walk, and both are drawn by its seed.
 TEST(PlantSetup, IsThatOfTheWalk) {
-  const RobotModel argos = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  const RobotModel argos = load_urdf(testing::source_path("robots/argos.urdf"));
   const RobotParams params = params_for(argos);
   const auto hash_of = [&params](const RobotModel& robot, const char* plant,
                                  std::uint64_t seed = 1) {

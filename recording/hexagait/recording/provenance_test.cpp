@@ -5,11 +5,12 @@
 #include <hexagait/recording/detail/walk_json.hpp>
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <testing/source_path.hpp>
 
 namespace hexagait::recording {
 namespace {
 
-RobotModel argos() { return load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf"); }
+RobotModel argos() { return load_urdf(testing::source_path("robots/argos.urdf")); }
 
 // Two spellings of the same URDF are one model; a change of any number makes another.
 TEST(ModelHash, ChangesWithEveryNumberOfTheModelAndWithNothingElse) {

@@ -10,7 +10,7 @@
 namespace hexagait::sim2d {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 LegArray<GenghisJoints> nominal(const GenghisModel& model) {
   LegArray<GenghisJoints> q(kGenghisLegs);

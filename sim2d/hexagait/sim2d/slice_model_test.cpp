@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace hexagait::sim2d {
+namespace hexagait::sim2d::slice_model_test {
 namespace {
 
 constexpr std::uint32_t kStarts = 100;
@@ -30,7 +30,7 @@ void for_each_trial(const Check& check) {
   for (const char* terrain : kTerrains)
     for (const char* gait : kGaits)
       for (std::uint32_t trial = 0; trial < 10; ++trial) {
-        SCOPED_TRACE(testing::Message() << gait << " on " << terrain << ", trial " << trial);
+        SCOPED_TRACE(::testing::Message() << gait << " on " << terrain << ", trial " << trial);
         check(config(gait, terrain), SliceSeed{7, trial});
       }
 }
@@ -262,4 +262,4 @@ TEST(SliceModel, ACopyContinuesIdentically) {
 }
 
 }  // namespace
-}  // namespace hexagait::sim2d
+}  // namespace hexagait::sim2d::slice_model_test

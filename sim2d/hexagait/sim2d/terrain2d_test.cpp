@@ -10,7 +10,7 @@
 namespace hexagait::sim2d {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 TEST(Terrain2d, ReadsWhatItWrites) {
   for (const char* text : {"flat", "rough:0.05", "step:0.1", "steps:0.025"})

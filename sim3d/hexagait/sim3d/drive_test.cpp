@@ -8,6 +8,7 @@
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <testing/round_params.hpp>
+#include <testing/source_path.hpp>
 
 // Argos on a test stand, its legs straight out: what is not ideal about its drives and links.
 namespace hexagait::sim3d {
@@ -51,7 +52,7 @@ class Drive : public ::testing::Test {
     return most;
   }
 
-  RobotModel robot_ = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  RobotModel robot_ = load_urdf(testing::source_path("robots/argos.urdf"));
   WorldParams params_ = hexagait::testing::round_world<WorldParams>();
 };
 

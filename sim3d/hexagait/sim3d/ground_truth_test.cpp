@@ -6,8 +6,9 @@
 #include <hexagait/sim3d/world.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <testing/round_params.hpp>
+#include <testing/source_path.hpp>
 
-namespace hexagait::sim3d {
+namespace hexagait::sim3d::ground_truth_test {
 namespace {
 
 const LegArray<LegJoints> kZero(6, LegJoints::Zero());
@@ -36,7 +37,7 @@ class Referee : public ::testing::Test {
     }
   }
 
-  RobotModel robot_ = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  RobotModel robot_ = load_urdf(testing::source_path("robots/argos.urdf"));
   WorldParams params_ = hexagait::testing::round_world<WorldParams>();
 };
 
@@ -186,4 +187,4 @@ TEST_F(Referee, AddsUpTheWorkOfTheJointsWhetherTheyDriveOrBrake) {
 }
 
 }  // namespace
-}  // namespace hexagait::sim3d
+}  // namespace hexagait::sim3d::ground_truth_test

@@ -34,11 +34,11 @@ const std::vector<unsigned char> kColoured = {
     68,  65, 84, 120, 156, 99, 96, 100, 98, 6,  34,  6,   8,   5,   0,  0,  174, 0,  25,
     135, 46, 28, 157, 0,   0,  0,  0,   73, 69, 78,  68,  174, 66,  96, 130};
 
-class Heightmaps : public testing::Test {
+class Heightmaps : public ::testing::Test {
  protected:
   Heightmaps() {
-    directory_ = fs::path(testing::TempDir()) /
-                 testing::UnitTest::GetInstance()->current_test_info()->name();
+    directory_ = fs::path(::testing::TempDir()) /
+                 ::testing::UnitTest::GetInstance()->current_test_info()->name();
     fs::create_directories(directory_);
   }
   ~Heightmaps() override { fs::remove_all(directory_); }
@@ -74,19 +74,20 @@ TEST_F(Heightmaps, ReadGreyPngsOf8And16Bits) {
   const Heightmap small = load_heightmap(file("8.png", kGrey8));
   EXPECT_EQ(small.columns, 3);
   EXPECT_EQ(small.rows, 2);
-  EXPECT_THAT(small.levels,
-              testing::Pointwise(testing::FloatNear(1e-6F), {0.0F, 0.2F, 1.0F, 0.4F, 0.6F, 0.8F}));
+  EXPECT_THAT(small.levels, ::testing::Pointwise(::testing::FloatNear(1e-6F),
+                                                 {0.0F, 0.2F, 1.0F, 0.4F, 0.6F, 0.8F}));
   EXPECT_THAT(load_heightmap(file("16.png", kGrey16)).levels,
-              testing::Pointwise(testing::FloatNear(1e-6F), {0.0F, 1.0F, 0.2F, 0.4F}));
+              ::testing::Pointwise(::testing::FloatNear(1e-6F), {0.0F, 1.0F, 0.2F, 0.4F}));
 }
 
 TEST_F(Heightmaps, RefuseColoursAndDamage) {
-  EXPECT_THAT(refusal([&] { (void)load_heightmap(file("c.png", kColoured)); }),
-              testing::AllOf(testing::HasSubstr("c.png"), testing::HasSubstr("must be grey")));
+  EXPECT_THAT(
+      refusal([&] { (void)load_heightmap(file("c.png", kColoured)); }),
+      ::testing::AllOf(::testing::HasSubstr("c.png"), ::testing::HasSubstr("must be grey")));
   auto cut = kGrey8;
   cut.resize(cut.size() - 30);
   EXPECT_THAT(refusal([&] { (void)load_heightmap(file("cut.png", cut)); }),
-              testing::HasSubstr("cut.png"));
+              ::testing::HasSubstr("cut.png"));
 }
 #endif
 
@@ -106,13 +107,13 @@ TEST_F(Heightmaps, SayInOneLineWhatIsWrongWithATable) {
   const auto problem = [&](const std::string& content) {
     return refusal([&] { (void)load_heightmap(text("bad.csv", content)); });
   };
-  EXPECT_THAT(problem("0,1\n1,x\n"), testing::HasSubstr("bad.csv:2': 'x' is not a number"));
-  EXPECT_THAT(problem("0,1\n1\n"), testing::HasSubstr("1 numbers, the lines before 2"));
-  EXPECT_THAT(problem("0,nan\n1,1\n"), testing::HasSubstr("not a number"));
-  EXPECT_THAT(problem("0,1\n"), testing::HasSubstr("at least 2 × 2"));
-  EXPECT_THAT(problem(""), testing::HasSubstr("at least 2 × 2"));
+  EXPECT_THAT(problem("0,1\n1,x\n"), ::testing::HasSubstr("bad.csv:2': 'x' is not a number"));
+  EXPECT_THAT(problem("0,1\n1\n"), ::testing::HasSubstr("1 numbers, the lines before 2"));
+  EXPECT_THAT(problem("0,nan\n1,1\n"), ::testing::HasSubstr("not a number"));
+  EXPECT_THAT(problem("0,1\n"), ::testing::HasSubstr("at least 2 × 2"));
+  EXPECT_THAT(problem(""), ::testing::HasSubstr("at least 2 × 2"));
   EXPECT_THAT(refusal([] { (void)load_heightmap("no/such.png"); }),
-              testing::HasSubstr("no/such.png"));
+              ::testing::HasSubstr("no/such.png"));
   EXPECT_EQ(problem("0,1\n1,x\n").find('\n'), std::string::npos);
 }
 
@@ -144,12 +145,12 @@ TEST_F(Heightmaps, ArePartsOfSums) {
 TEST_F(Heightmaps, AreRefusedWithoutAFile) {
   for (const char* words : {"heightmap:20cm", "heightmap:20cm,4m", "heightmap:20cm,4m,"})
     EXPECT_THAT(refusal([&] { (void)parse_terrain(words); }),
-                testing::HasSubstr("its length or its file is missing"))
+                ::testing::HasSubstr("its length or its file is missing"))
         << words;
   EXPECT_THAT(refusal([] { (void)parse_terrain("heightmap:20cm,1cm,a.png"); }),
-              testing::HasSubstr("the length must be 0.1 m or more"));
+              ::testing::HasSubstr("the length must be 0.1 m or more"));
   EXPECT_THAT(refusal([] { (void)Terrain(parse_terrain("heightmap:1,1,none.csv"), 1); }),
-              testing::HasSubstr("none.csv"));
+              ::testing::HasSubstr("none.csv"));
 }
 
 }  // namespace

@@ -7,10 +7,11 @@
 #include <hexagait/sim3d/world.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <testing/round_params.hpp>
+#include <testing/source_path.hpp>
 
 // Argos on a test stand, its legs free in the air: closed forms of the joint servos.
 
-namespace hexagait::sim3d {
+namespace hexagait::sim3d::servo_test {
 namespace {
 
 const LegArray<LegJoints> kZero(6, LegJoints::Zero());
@@ -48,7 +49,7 @@ class ServoOnStand : public ::testing::Test {
     return torque;
   }
 
-  RobotModel robot_ = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  RobotModel robot_ = load_urdf(testing::source_path("robots/argos.urdf"));
   WorldParams params_ = hexagait::testing::round_world<WorldParams>();
 };
 
@@ -242,4 +243,4 @@ TEST_F(ServoOnStand, GoesBackToPositionsWhenItIsToldTo) {
 }
 
 }  // namespace
-}  // namespace hexagait::sim3d
+}  // namespace hexagait::sim3d::servo_test

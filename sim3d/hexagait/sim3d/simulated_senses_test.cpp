@@ -6,11 +6,12 @@
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/sim3d/simulated_senses.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <testing/source_path.hpp>
 
 namespace hexagait::sim3d {
 namespace {
 
-class SimulatedSenses : public testing::Test {
+class SimulatedSenses : public ::testing::Test {
  protected:
   // A robot that stands at this pose and looks about.
   navigation::Senses senses_at(const PlanarPose& pose, const char* terrain,
@@ -33,7 +34,7 @@ class SimulatedSenses : public testing::Test {
     return beam.from_B.x() + beam.to_floor * beam.direction_B.x();
   }
 
-  RobotModel robot_ = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/genghis.urdf");
+  RobotModel robot_ = load_urdf(testing::source_path("robots/genghis.urdf"));
   navigation::SenseLayout layout_ = navigation::sense_layout_for(robot_);
   Measurement measurement_;  // of the robot that looked about last
   std::uint64_t draws_ = 0;  // a seed for each

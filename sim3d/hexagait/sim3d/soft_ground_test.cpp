@@ -6,8 +6,9 @@
 #include <hexagait/sim3d/world.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <testing/round_params.hpp>
+#include <testing/source_path.hpp>
 
-namespace hexagait::sim3d {
+namespace hexagait::sim3d::soft_ground_test {
 namespace {
 
 const LegArray<LegJoints> kZero(6, LegJoints::Zero());
@@ -24,7 +25,7 @@ class SoftGround : public ::testing::TestWithParam<const char*> {
     return world.truth();
   }
 
-  RobotModel robot_ = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  RobotModel robot_ = load_urdf(testing::source_path("robots/argos.urdf"));
 };
 
 // At rest the damper has no force: each foot is F/K deep, and the forces carry the weight. The ground is
@@ -59,4 +60,4 @@ TEST(SoftGroundWords, AreStiffnessAndDamping) {
 }
 
 }  // namespace
-}  // namespace hexagait::sim3d
+}  // namespace hexagait::sim3d::soft_ground_test

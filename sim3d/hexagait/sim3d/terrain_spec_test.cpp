@@ -100,9 +100,9 @@ TEST(ParseTerrain, RefusesWhatItDoesNotKnowAndSaysWhatWouldBeRight) {
       (void)parse_terrain(text);
       ADD_FAILURE() << "accepted \"" << text << "\"";
     } catch (const InvalidInput& refusal) {
-      EXPECT_THAT(refusal.what(), testing::HasSubstr("\"" + text + "\": "));
-      EXPECT_THAT(refusal.what(), testing::HasSubstr(reason));
-      EXPECT_THAT(refusal.what(), testing::HasSubstr("flat boxes:H,WIDTH steps:H,WIDTH step:H"));
+      EXPECT_THAT(refusal.what(), ::testing::HasSubstr("\"" + text + "\": "));
+      EXPECT_THAT(refusal.what(), ::testing::HasSubstr(reason));
+      EXPECT_THAT(refusal.what(), ::testing::HasSubstr("flat boxes:H,WIDTH steps:H,WIDTH step:H"));
     }
   }
 }

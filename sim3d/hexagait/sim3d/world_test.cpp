@@ -12,13 +12,14 @@
 #include <limits>
 #include <numeric>
 #include <testing/round_params.hpp>
+#include <testing/source_path.hpp>
 #include <thread>
 
 namespace hexagait::sim3d {
 namespace {
 
 const RobotModel& argos() {
-  static const RobotModel robot = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  static const RobotModel robot = load_urdf(testing::source_path("robots/argos.urdf"));
   return robot;
 }
 

@@ -10,9 +10,9 @@
 namespace hexagait::sweep {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
 using Merging = ScratchSweep;
 
 std::string merged(const std::vector<std::filesystem::path>& parts,

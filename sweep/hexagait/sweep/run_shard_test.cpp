@@ -9,13 +9,14 @@
 #include <hexagait/sweep/detail/made_directory.hpp>
 #include <hexagait/sweep/detail/scratch_sweep.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <testing/source_path.hpp>
 #include <thread>
 
 namespace hexagait::sweep {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 using Running = ScratchSweep;
 
 // Processes that this one has started.
@@ -47,7 +48,7 @@ TEST_F(Running, GivesTheSameBytesInPhysics) {
                          *gait_state::parse_gait_choice("wave:0.75")};
     sweep.robots.push_back({.name = "argos", .model = {}});
     if (engine == Engine::ode)
-      sweep.robots[0].model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+      sweep.robots[0].model = load_urdf(testing::source_path("robots/argos.urdf"));
     sweep.terrains = {ground(engine, rough_terrains(engine).front() + ":0.05")};
     sweep.num_seeds = 2;
     sweep.limits.seconds = 1.0;
@@ -126,7 +127,7 @@ TEST_F(Running, IsNotHeldUpByATrialThatKillsItsProcess) {
     EXPECT_EQ(publish(at(name)).without_result, 1U);
     const std::vector<std::string> rows = lines(at(name) / "trials.csv");
     ASSERT_EQ(rows.size(), 90'001U);
-    EXPECT_THAT(rows[101], testing::StartsWith("100,free,six_feet,ideal,flat,0,"));
+    EXPECT_THAT(rows[101], ::testing::StartsWith("100,free,six_feet,ideal,flat,0,"));
     EXPECT_THAT(rows[101], HasSubstr(",failed,the process that ran it was ended by signal 9 ("));
     EXPECT_EQ(std::ranges::count(rows[101], ','), std::ranges::count(rows[0], ','));
     EXPECT_THAT(rows[102], HasSubstr(",walked,quick,"));
@@ -291,7 +292,7 @@ TEST_F(Running, RefusesTheDirectoryOfAnotherSweep) {
   const auto refused = [&](const Sweep& asked, const Shard& shard) {
     return refusal([&] { static_cast<void>(run_shard(asked, shard, at("a"), {})); });
   };
-  EXPECT_THAT(refused(other, {}), testing::AllOf(HasSubstr("limits"), HasSubstr("60")));
+  EXPECT_THAT(refused(other, {}), ::testing::AllOf(HasSubstr("limits"), HasSubstr("60")));
   EXPECT_THAT(refused(sweep, {0, 2}), HasSubstr("shard: [1,2] against [1,1]"));
 }
 
@@ -305,7 +306,7 @@ TEST(LockFailure, TellsAHeldFileFromAFileSystemWithoutLocks) {
   EXPECT_THAT(lock_failure(EWOULDBLOCK), HasSubstr("another process"));
   for (const int error : {ENOLCK, ENOTSUP, ENOSYS, EINVAL})
     EXPECT_THAT(lock_failure(error),
-                testing::AllOf(HasSubstr("can't lock files"), Not(HasSubstr("another process"))));
+                ::testing::AllOf(HasSubstr("can't lock files"), Not(HasSubstr("another process"))));
   EXPECT_THAT(lock_failure(EIO), HasSubstr("Input/output error"));
 }
 

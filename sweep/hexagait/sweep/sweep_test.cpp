@@ -7,6 +7,7 @@
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <set>
+#include <testing/source_path.hpp>
 
 namespace hexagait::sweep {
 namespace {
@@ -15,7 +16,7 @@ using Grid = ScratchSweep;
 
 // At the edge of an abyss no leg finds ground.
 TEST(Row, OfARobotThatIsStuckSaysForWhichLegItWaits) {
-  const RobotModel robot = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  const RobotModel robot = load_urdf(testing::source_path("robots/argos.urdf"));
   TrialConfig config;
   config.engine = Engine::ode;
   config.controller = *gait_state::parse_gait_choice("free");
@@ -121,7 +122,7 @@ using SweepFile = ScratchSweep;
 
 std::string argos(const std::string& name) {
   if (name != "argos") throw InvalidInput("robot is '" + name + "', which does not exist");
-  return HEXAGAIT_SOURCE_DIR "/robots/argos.urdf";
+  return testing::source_path("robots/argos.urdf");
 }
 
 TEST_F(SweepFile, IsAGridOfAllThatItLists) {
@@ -162,7 +163,7 @@ TEST_F(SweepFile, HasPlantsAsAnAxis) {
   const std::string one = to_header(sweep, {}),
                     other = to_header(load_sweep(at("b.yaml"), argos), {});
   EXPECT_THAT(differences(one, other, true),
-              testing::Contains(testing::HasSubstr("joint_noise_rad\":0.002")));
+              ::testing::Contains(::testing::HasSubstr("joint_noise_rad\":0.002")));
 }
 
 TEST_F(SweepFile, RefusesPlantsThatAreNone) {
@@ -172,12 +173,12 @@ TEST_F(SweepFile, RefusesPlantsThatAreNone) {
   for (const char* part :
        {":5:10: 'rael' is no plant; did you mean 'real'?", ":5:22: the plant 'real' is there twice",
         ":5:28: late_ticks is '200%'; it must be a share from 0 to 1"})
-    EXPECT_THAT(text, testing::HasSubstr(part));
+    EXPECT_THAT(text, ::testing::HasSubstr(part));
   std::ofstream(at("y.yaml"))
       << "simulator: box2d\ncontrollers: [free]\nterrains: [flat]\nseeds: 1\n"
          "plants: [real]\n";
   EXPECT_THAT(refusal([&] { static_cast<void>(load_sweep(at("y.yaml"), argos)); }),
-              testing::HasSubstr("the simulator 'box2d' has no 'plants'"));
+              ::testing::HasSubstr("the simulator 'box2d' has no 'plants'"));
 }
 
 // Quantities are read as everywhere else; seeds have more digits than a double has.
@@ -213,7 +214,7 @@ TEST_F(SweepFile, IsRefusedWithAllThatIsWrongAndWhere) {
         ":8:13: roughness: is \"-1\"; it must be a finite number of 0 or more",
         ":9:10: unknown measure \"sped\"; known: speed_units_per_slice",
         ":10:1: the key \"seeds\" stands here a second time"})
-    EXPECT_THAT(text, testing::HasSubstr(path + line));
+    EXPECT_THAT(text, ::testing::HasSubstr(path + line));
   EXPECT_EQ(std::ranges::count(text, '\n'), 9);
 }
 
@@ -222,7 +223,7 @@ TEST_F(SweepFile, IsRefusedWhenItIsNone) {
     std::ofstream(at("x.yaml")) << text;
     return refusal([&] { static_cast<void>(load_sweep(at("x.yaml"), argos)); });
   };
-  using testing::HasSubstr;
+  using ::testing::HasSubstr;
   EXPECT_THAT(refusal([&] { static_cast<void>(load_sweep(at("none.yaml"), argos)); }),
               HasSubstr("can't be read"));
   EXPECT_THAT(refusal([&] { static_cast<void>(load_sweep(at(""), argos)); }),

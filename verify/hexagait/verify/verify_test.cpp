@@ -12,8 +12,8 @@ namespace hexagait::verify {
 namespace {
 
 using namespace gait_state;
-using testing::Contains;
-using testing::ElementsAre;
+using ::testing::Contains;
+using ::testing::ElementsAre;
 
 const Scope kQuick{.legs = {4, 6}, .odd_legs = {5, 7}, .step_time = 2, .step_time_8 = 0};
 

@@ -12,6 +12,7 @@
 #include <hexagait/walk/trial.hpp>
 #include <limits>
 #include <testing/argos.hpp>
+#include <testing/source_path.hpp>
 
 namespace hexagait::walk {
 namespace {
@@ -147,7 +148,7 @@ TEST(Physics, StopsSafelyWhenAReadingIsNotANumberAndSaysSo) {
 
 // As far as argos gets in this time, on legs of four joints.
 TEST(Physics, WalksOnLegsOfFourJoints) {
-  const RobotModel robot = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/hexapod_4dof.urdf");
+  const RobotModel robot = load_urdf(testing::source_path("robots/hexapod_4dof.urdf"));
   sim3d::World world(robot, sim3d::parse_terrain("flat"), {}, nominal_posture(robot));
   Walker walker(robot, {});
   TrialOptions options;

@@ -7,6 +7,7 @@
 #include <hexagait/walk/faults/faults.hpp>
 #include <hexagait/walk/trial.hpp>
 #include <numbers>
+#include <testing/source_path.hpp>
 
 /// Every robot that comes with hexagait walks, from 0.2 to 100 kg, by what params_for() makes of its
 /// model: nothing is set.
@@ -32,7 +33,7 @@ class Robots : public ::testing::TestWithParam<const char*> {
   }
 
   const RobotModel robot_ =
-      load_urdf(std::string(HEXAGAIT_SOURCE_DIR "/robots/") + GetParam() + ".urdf");
+      load_urdf(testing::source_path("robots/" + std::string(GetParam()) + ".urdf"));
   const RobotScale scale_ = scale_of(robot_);
   const double length_ = scale_.size;
   /// A fifth of the speed at which robots walk straight on: 0.3 ℓ/T.
@@ -75,7 +76,7 @@ TEST_P(Robots, TurnSharplyWithoutLeavingTheirPath) {
 
 /// The discrete posture control of [PC04] 5.2, at 20 Hz.
 TEST(DiscretePosture, WalksAnArcWithFeetThatHardlySlip) {
-  const RobotModel robot = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/lauron.urdf");
+  const RobotModel robot = load_urdf(testing::source_path("robots/lauron.urdf"));
   sim3d::World world(robot, {}, {}, nominal_posture(robot));
   footstep_gen::WalkerParams params;
   params.executor.base.displacement_period = 0.05;
@@ -163,7 +164,7 @@ INSTANTIATE_TEST_SUITE_P(All, TwoJointLegs, ::testing::Values("genghis"),
 // Hobby servos: a bus at 50 Hz that takes positions only, and half a degree of play in each gear, which
 // odometry does not see. How far it strays is a matter of the start: feet a millimetre elsewhere, and it is another walk.
 TEST(Desktop, WalksWithHobbyServos) {
-  const RobotModel robot = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/desktop.urdf");
+  const RobotModel robot = load_urdf(testing::source_path("robots/desktop.urdf"));
   sim3d::WorldParams params;
   params.control_dt = 0.02;
   params.backlash = 0.5 * std::numbers::pi / 180.0;

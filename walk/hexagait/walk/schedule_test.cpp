@@ -16,14 +16,14 @@ namespace {
 
 using heading_control::Heading;
 using heading_control::Turn;
-using testing::AllOf;
-using testing::HasSubstr;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 
 // A file that lasts as long as the test.
 class ScheduleFile {
  public:
   explicit ScheduleFile(const std::string& text)
-      : path_(testing::TempDir() + "schedule-" + std::to_string(getpid()) + ".yaml") {
+      : path_(::testing::TempDir() + "schedule-" + std::to_string(getpid()) + ".yaml") {
     std::ofstream(path_) << text;
   }
   ~ScheduleFile() { std::filesystem::remove(path_); }
@@ -124,9 +124,9 @@ TEST(Schedule, RefusesWhatIsNotAListOfCommands) {
   EXPECT_THAT(refusal("at: 0\n"), HasSubstr("must be a list"));
   EXPECT_THAT(refusal("- {at: 0}\n- {at: 1"), HasSubstr("not YAML"));
   EXPECT_THAT([] { (void)load_schedule("/no/such/file.yaml"); },
-              testing::ThrowsMessage<InvalidInput>(HasSubstr("No such file")));
+              ::testing::ThrowsMessage<InvalidInput>(HasSubstr("No such file")));
   EXPECT_THAT([] { (void)load_schedule("/"); },
-              testing::ThrowsMessage<InvalidInput>(HasSubstr("is a directory")));
+              ::testing::ThrowsMessage<InvalidInput>(HasSubstr("is a directory")));
 }
 
 TEST(Schedule, ListsAllMistakesAtOnce) {

@@ -9,6 +9,7 @@
 #include <hexagait/urdf/urdf.hpp>
 #include <hexagait/walk/start_posture.hpp>
 #include <testing/argos.hpp>
+#include <testing/source_path.hpp>
 
 namespace hexagait::walk {
 namespace {
@@ -52,7 +53,7 @@ TEST(StartPosture, LiesWithTheLegsInTheAirAndNoTwoSeedsAlike) {
 
 // The quadruped's hips hang 8 cm below its belly.
 TEST(StartPosture, RefusesARobotWhoseLegsAreUnderItsBelly) {
-  const RobotModel quadruped = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/quadruped.urdf");
+  const RobotModel quadruped = load_urdf(testing::source_path("robots/quadruped.urdf"));
   EXPECT_THROW((void)start_posture(quadruped, StartKind::sitting), InvalidInput);
   EXPECT_THROW((void)start_posture(quadruped, StartKind::lying), InvalidInput);
   EXPECT_NO_THROW((void)start_posture(quadruped, StartKind::standing));

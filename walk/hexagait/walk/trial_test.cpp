@@ -8,7 +8,7 @@
 #include <hexagait/walk/trial.hpp>
 #include <testing/argos.hpp>
 
-namespace hexagait::walk {
+namespace hexagait::walk::trial_test {
 namespace {
 
 using footstep_gen::Fault;
@@ -178,4 +178,4 @@ TEST(Posture, DisplacesEveryFootByNoMoreThanTheSpread) {
 }
 
 }  // namespace
-}  // namespace hexagait::walk
+}  // namespace hexagait::walk::trial_test

@@ -4,7 +4,7 @@
 
 #include <hexagait/action/step_frames.hpp>
 
-namespace hexagait {
+namespace hexagait::step_frames_test {
 namespace {
 
 void expect_same(const Pose& a, const Pose& b) {
@@ -82,4 +82,4 @@ TEST(Adaptation, IsForgottenByTheNextAction) {
 }
 
 }  // namespace
-}  // namespace hexagait
+}  // namespace hexagait::step_frames_test

@@ -6,7 +6,7 @@
 #include <hexagait/balance/contact_forces.hpp>
 #include <hexagait/sim/random.hpp>
 
-namespace hexagait {
+namespace hexagait::contact_forces_test {
 namespace {
 
 constexpr double kWeight = 490.5;  // [N]
@@ -146,4 +146,4 @@ TEST(ContactForces, SayWhetherTheirProgramWasSolved) {
 }
 
 }  // namespace
-}  // namespace hexagait
+}  // namespace hexagait::contact_forces_test

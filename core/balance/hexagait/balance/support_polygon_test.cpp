@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-namespace hexagait {
+namespace hexagait::support_polygon_test {
 namespace {
 
 using Points = std::vector<Vector2>;
@@ -185,4 +185,4 @@ TEST(StabilityMargin, IsRigidAndGrowsWithTheBase) {
 }
 
 }  // namespace
-}  // namespace hexagait
+}  // namespace hexagait::support_polygon_test

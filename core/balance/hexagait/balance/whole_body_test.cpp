@@ -8,6 +8,7 @@
 #include <hexagait/sim/random.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <testing/argos.hpp>
+#include <testing/source_path.hpp>
 
 namespace hexagait {
 namespace {
@@ -125,7 +126,7 @@ TEST(WholeBody, DampsTheMotionOfTheBase) {
 // comes back as every critically damped spring does, e₀ (1 + ω t) exp(−ω t), whatever its mass. The
 // semi-implicit integration is off by ω dt ~ 1e-3 of e₀.
 TEST(WholeBody, BringsAnyRobotBackInTheSameTime) {
-  const RobotModel quadruped = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/quadruped.urdf");
+  const RobotModel quadruped = load_urdf(testing::source_path("robots/quadruped.urdf"));
   RandomSequence random{.seed = 3};
   for (const RobotModel* robot : {&argos(), &quadruped}) {
     VirtualModelParams params;

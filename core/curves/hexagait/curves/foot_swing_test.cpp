@@ -8,7 +8,7 @@
 #include <testing/random_vector.hpp>
 #include <vector>
 
-namespace hexagait {
+namespace hexagait::foot_swing_test {
 namespace {
 
 using testing::random_vector;
@@ -251,4 +251,4 @@ TEST(FootSwing, IsFiniteWhateverItIsGiven) {
 }
 
 }  // namespace
-}  // namespace hexagait
+}  // namespace hexagait::foot_swing_test

@@ -5,6 +5,7 @@
 #include <hexagait/sim/random.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <testing/executor_scene.hpp>
+#include <testing/source_path.hpp>
 
 namespace hexagait {
 namespace {
@@ -13,7 +14,7 @@ using testing::kDt;
 using testing::Scene;
 
 RobotModel load(const std::string& name) {
-  return load_urdf(HEXAGAIT_SOURCE_DIR "/robots/" + name + ".urdf");
+  return load_urdf(testing::source_path("robots/" + name + ".urdf"));
 }
 
 // The numbers are drawn in this order with any compiler.

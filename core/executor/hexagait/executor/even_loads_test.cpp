@@ -6,6 +6,7 @@
 #include <hexagait/urdf/urdf.hpp>
 #include <string>
 #include <testing/executor_scene.hpp>
+#include <testing/source_path.hpp>
 
 namespace hexagait {
 namespace {
@@ -17,7 +18,8 @@ using testing::Scene;
 // set points, along the body's z.
 LegArray<double> changes_with_a_low_foot(LegId low, double by, double rate, LegSet in_air = {},
                                          const char* robot = "argos") {
-  const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/" + std::string(robot) + ".urdf");
+  const RobotModel model =
+      load_urdf(testing::source_path("robots/" + std::string(robot) + ".urdf"));
   const LegId n = model.num_legs();
   Scene scene(model);
   ExecutorParams params;

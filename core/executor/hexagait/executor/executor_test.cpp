@@ -7,15 +7,16 @@
 #include <hexagait/sim/random.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <testing/executor_scene.hpp>
+#include <testing/source_path.hpp>
 
-namespace hexagait {
+namespace hexagait::executor_test {
 namespace {
 
 using testing::kDt;
 using testing::Scene;
 
 RobotModel argos(double foot_radius = 0.0) {
-  RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  RobotModel model = load_urdf(testing::source_path("robots/argos.urdf"));
   model.foot_radius = foot_radius;
   return model;
 }
@@ -228,7 +229,7 @@ void expect_speed_limits(const RobotModel& model, std::uint32_t trials) {
 TEST(Executor, NeverMovesAJointTargetFasterThanItsLimit) { expect_speed_limits(argos(), 20); }
 
 TEST(Executor, NeverMovesAnyOfFourJointsFasterThanItsLimit) {
-  expect_speed_limits(load_urdf(HEXAGAIT_SOURCE_DIR "/robots/hexapod_4dof.urdf"), 3);
+  expect_speed_limits(load_urdf(testing::source_path("robots/hexapod_4dof.urdf")), 3);
 }
 
 void expect_same(const Executor& a, const Executor& b) {
@@ -438,4 +439,4 @@ TEST(Executor, StopsTheBaseWhereAStandingLegEnds) {
 }
 
 }  // namespace
-}  // namespace hexagait
+}  // namespace hexagait::executor_test

@@ -11,6 +11,7 @@
 #include <hexagait/urdf/urdf.hpp>
 #include <numbers>
 #include <string>
+#include <testing/source_path.hpp>
 
 namespace hexagait {
 namespace {
@@ -20,7 +21,7 @@ constexpr double kTrusted = 0.08;  // what is left to odometry [rad]
 // A robot that stands still in its nominal stance, and whose odometry may be wrong about what is up. What carries it is computed forwards: forces of the feet → efforts → what the servos give way by.
 struct Standing {
   explicit Standing(const std::string& robot)
-      : model(load_urdf(HEXAGAIT_SOURCE_DIR "/robots/" + robot + ".urdf")),
+      : model(load_urdf(testing::source_path("robots/" + robot + ".urdf"))),
         tolerance(params_for(model).tolerance),
         n(model.num_legs()) {
     state.q = nominal_joints(model);
@@ -62,7 +63,7 @@ struct Standing {
   GravitySense sense;
 };
 
-class GravitySenseOf : public testing::TestWithParam<const char*> {};
+class GravitySenseOf : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(GravitySenseOf, FindsUpFromHowTheServosGiveWay) {
   for (const double dt : {0.001, 0.002, 0.02}) {
@@ -82,7 +83,7 @@ TEST_P(GravitySenseOf, FindsUpFromHowTheServosGiveWay) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, GravitySenseOf,
-                         testing::Values("argos", "hexapod_4dof", "spider"));
+                         ::testing::Values("argos", "hexapod_4dof", "spider"));
 
 // The servos of legs that are not there are far off their targets and carry nothing.
 TEST(GravitySense, FindsUpWithoutLegsThatAreLost) {

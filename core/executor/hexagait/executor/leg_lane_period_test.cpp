@@ -8,7 +8,7 @@
 
 /// A step is the same step at every control period from 1 to 20 ms.
 
-namespace hexagait {
+namespace hexagait::leg_lane_period_test {
 namespace {
 
 constexpr double kPeriods[] = {0.001, 0.002, 0.003, 0.005, 0.008, 0.0125, 0.010, 0.020};
@@ -220,4 +220,4 @@ TEST(SwingPeriod, SearchesAtTheSameSpeed) {
 }
 
 }  // namespace
-}  // namespace hexagait
+}  // namespace hexagait::leg_lane_period_test

@@ -7,12 +7,13 @@
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <limits>
+#include <testing/source_path.hpp>
 
-namespace hexagait {
+namespace hexagait::state_estimator_test {
 namespace {
 
 struct Scene {
-  RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  RobotModel model = load_urdf(testing::source_path("robots/argos.urdf"));
   Measurement measurement{3.0, nominal_joints(model), LegArray<bool>(6, false)};
   Executor executor{model, {}};
 };
@@ -56,4 +57,4 @@ TEST(StateEstimator, BelievesTheSensorsThatThereAreAndThePlanOtherwise) {
 }
 
 }  // namespace
-}  // namespace hexagait
+}  // namespace hexagait::state_estimator_test

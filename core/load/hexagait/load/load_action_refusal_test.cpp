@@ -8,6 +8,7 @@
 #include <hexagait/text/invalid_input.hpp>
 #include <span>
 #include <testing/argos.hpp>
+#include <testing/source_path.hpp>
 
 namespace hexagait::action {
 namespace {
@@ -381,7 +382,7 @@ TEST(LoadActionRefuses, NoMoreThanAHundredTimes) {
 }
 
 TEST(LoadActionRefuses, FilesThatCannotBeRead) {
-  for (const std::string path : {"no/such/file.yaml", HEXAGAIT_SOURCE_DIR}) {
+  for (const std::string& path : {std::string("no/such/file.yaml"), testing::source_path(".")}) {
     EXPECT_THROW((void)load_action(path, argos()), InvalidInput);
   }
 }

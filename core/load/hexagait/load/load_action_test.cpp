@@ -6,6 +6,7 @@
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <testing/argos.hpp>
+#include <testing/source_path.hpp>
 
 namespace hexagait::action {
 namespace {
@@ -191,7 +192,7 @@ TEST(LoadAction, ReadsFeetInCartesianSpace) {
 }
 
 TEST(LoadAction, WantsAsManyNumbersAsTheLegHasJoints) {
-  const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/hexapod_4dof.urdf");
+  const RobotModel model = load_urdf(testing::source_path("robots/hexapod_4dof.urdf"));
   const auto load = [&](const std::string& position) {
     return parse_action(
         "steps:\n- step:\n  - joint_target: {name: LM, position: " + position + "}\n", "test.yaml",

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace hexagait {
+namespace hexagait::load_params_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -105,4 +105,4 @@ TEST(LoadParams, FindsTheFileBesideTheRobot) {
 }
 
 }  // namespace
-}  // namespace hexagait
+}  // namespace hexagait::load_params_test

@@ -7,7 +7,7 @@
 #include <hexagait/text/invalid_input.hpp>
 #include <testing/argos.hpp>
 
-namespace hexagait::action {
+namespace hexagait::action::load_step_goal_test {
 namespace {
 
 using testing::argos;
@@ -133,4 +133,4 @@ TEST(LoadStepGoal, RefusesWhatIsNoGoal) {
 }
 
 }  // namespace
-}  // namespace hexagait::action
+}  // namespace hexagait::action::load_step_goal_test

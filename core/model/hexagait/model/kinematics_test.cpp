@@ -8,7 +8,7 @@
 #include <kdl/chainfksolverpos_recursive.hpp>
 #include <kdl/chainjnttojacsolver.hpp>
 
-namespace hexagait {
+namespace hexagait::kinematics_test {
 namespace {
 
 /// A leg at the hip frame X_BH whose joints have any signs and zeros: its axes and points stand
@@ -380,4 +380,4 @@ TEST(WithinLimits, AllowsRoundingOnly) {
 }
 
 }  // namespace
-}  // namespace hexagait
+}  // namespace hexagait::kinematics_test

@@ -6,7 +6,7 @@
 #include <hexagait/model/leg_pair.hpp>
 #include <hexagait/sim/random.hpp>
 
-namespace hexagait {
+namespace hexagait::leg_pair_test {
 namespace {
 
 // Of any lengths, signs, zeros and place of its hip. The knee bends one way.
@@ -140,4 +140,4 @@ TEST(ForwardKinematics, OfAllLegsIsThatOfEachToTheLastBit) {
 }
 
 }  // namespace
-}  // namespace hexagait
+}  // namespace hexagait::leg_pair_test

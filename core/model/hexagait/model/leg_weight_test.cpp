@@ -6,13 +6,14 @@
 #include <hexagait/model/leg_weight.hpp>
 #include <hexagait/sim/random.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <testing/source_path.hpp>
 
 namespace hexagait {
 namespace {
 
 const RobotModel& robot(const std::string& name) {
-  static const RobotModel argos = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
-  static const RobotModel quadruped = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/quadruped.urdf");
+  static const RobotModel argos = load_urdf(testing::source_path("robots/argos.urdf"));
+  static const RobotModel quadruped = load_urdf(testing::source_path("robots/quadruped.urdf"));
   return name == "argos" ? argos : quadruped;
 }
 

@@ -9,16 +9,17 @@
 #include <hexagait/model/serial_stance.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <testing/random_leg.hpp>
+#include <testing/source_path.hpp>
 
 namespace hexagait {
 namespace {
 
 const RobotModel& hexapod() {
-  static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/hexapod_4dof.urdf");
+  static const RobotModel model = load_urdf(testing::source_path("robots/hexapod_4dof.urdf"));
   return model;
 }
 const RobotModel& quadruped() {
-  static const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/quadruped_rpp.urdf");
+  static const RobotModel model = load_urdf(testing::source_path("robots/quadruped_rpp.urdf"));
   return model;
 }
 
@@ -33,7 +34,7 @@ TEST(HexapodOfFourJoints, StandsLikeArgos) {
   EXPECT_EQ(names_of(hexapod()), "LF RF LM RM LR RR ");
   EXPECT_NEAR(hexapod().mass, 50.0, 1e-12);
   EXPECT_LT(hexapod().p_BM.head<2>().norm(), 1e-6);
-  const RobotModel argos = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  const RobotModel argos = load_urdf(testing::source_path("robots/argos.urdf"));
   for (LegId i = 0; i < 6; ++i) {
     const LegModel& leg = hexapod().legs[i];
     EXPECT_EQ(leg.kind, LegKind::serial);
@@ -57,7 +58,7 @@ TEST(RollPitchPitch, StandsBelowItsHips) {
 // Yaw, roll and pitch intersect, 4.5 cm one from the other: a coxa of 9 cm. Femur and tibia have 18
 // and 24 cm.
 TEST(YawRollPitch, HasTheRollJointInItsCoxa) {
-  const RobotModel beetle = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/beetle.urdf");
+  const RobotModel beetle = load_urdf(testing::source_path("robots/beetle.urdf"));
   for (const LegModel& leg : beetle.legs) {
     const SerialLengths lengths = serial_lengths(leg);
     EXPECT_NEAR(lengths.coxa, 0.09, 1e-9);
@@ -71,7 +72,7 @@ TEST(YawRollPitch, HasTheRollJointInItsCoxa) {
 
 // A joint that twists the femur, between its ends: its length counts, and the femur stays the femur.
 TEST(YawPitchRollPitch, HasTheTwistInItsFemur) {
-  LegModel leg = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/beetle.urdf").legs[0];
+  LegModel leg = load_urdf(testing::source_path("robots/beetle.urdf")).legs[0];
   const Vector3 out = leg.X_BH.R.col(0), across = leg.X_BH.R.col(1), hip = leg.X_BH.p;
   leg.axis_B0[1] = across, leg.p_BJ0[1] = hip + 0.05 * out;
   leg.axis_B0[2] = out, leg.p_BJ0[2] = hip + 0.10 * out;

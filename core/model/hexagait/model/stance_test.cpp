@@ -7,20 +7,21 @@
 #include <hexagait/model/workspace.hpp>
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <testing/source_path.hpp>
 
-namespace hexagait {
+namespace hexagait::stance_test {
 namespace {
 
 RobotModel robot(const std::string& name, const UrdfOptions& options = {}) {
-  return load_urdf(HEXAGAIT_SOURCE_DIR "/robots/" + name + ".urdf", options);
+  return load_urdf(testing::source_path("robots/" + name + ".urdf"), options);
 }
 
 double outwards(const LegModel& leg) { return (leg.X_BH.inverse() * leg.p_BC).head<2>().norm(); }
 
 // Of every kind of leg: closed form, serial, of two joints.
-class AnyStance : public testing::TestWithParam<const char*> {};
+class AnyStance : public ::testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Robots, AnyStance,
-                         testing::Values("argos", "hexapod_4dof", "quadruped_rpp", "genghis"));
+                         ::testing::Values("argos", "hexapod_4dof", "quadruped_rpp", "genghis"));
 
 TEST_P(AnyStance, OfItsOwnChangesNothing) {
   const RobotModel model = robot(GetParam());
@@ -86,4 +87,4 @@ TEST(Stance, IsAnOptionOfTheLoader) {
 }
 
 }  // namespace
-}  // namespace hexagait
+}  // namespace hexagait::stance_test

@@ -5,7 +5,7 @@
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/sim/random.hpp>
 
-namespace hexagait {
+namespace hexagait::yaw_pitch_test {
 namespace {
 
 // Any hip, signs and zeros; axes and points at zero as a URDF would give them.
@@ -111,4 +111,4 @@ TEST(YawPitch, SaysWhatIsOutOfReach) {
 }
 
 }  // namespace
-}  // namespace hexagait
+}  // namespace hexagait::yaw_pitch_test

@@ -5,11 +5,12 @@
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/params/best_stance.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <testing/source_path.hpp>
 
 namespace hexagait {
 namespace {
 
-RobotModel argos() { return load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf"); }
+RobotModel argos() { return load_urdf(testing::source_path("robots/argos.urdf")); }
 
 RobotModel with_effort(double effort) {
   RobotModel robot = argos();

@@ -8,12 +8,13 @@
 #include <hexagait/urdf/urdf.hpp>
 #include <map>
 #include <testing/round_params.hpp>
+#include <testing/source_path.hpp>
 
 namespace hexagait {
 namespace {
 
 RobotModel load(const std::string& name) {
-  return load_urdf(HEXAGAIT_SOURCE_DIR "/robots/" + name + ".urdf");
+  return load_urdf(testing::source_path("robots/" + name + ".urdf"));
 }
 
 // The same robot s times as large, of the same material, with joints that are as fast in its own time.

@@ -11,7 +11,7 @@
 namespace hexagait {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 constexpr RobotSize kSize{.legs = 6, .joints = 18};
 

@@ -8,6 +8,7 @@
 #include <hexagait/urdf/urdf.hpp>
 #include <testing/control_period.hpp>
 #include <testing/round_params.hpp>
+#include <testing/source_path.hpp>
 
 namespace hexagait {
 namespace {
@@ -65,7 +66,7 @@ TEST(OdometrySlide, IsNoneOfAFootInTheAir) {
 
 // The body moves on by 10 cm: centres of feet of 2 cm that roll by a millimetre have not slid.
 TEST(OdometrySlide, IsNotTheRollingOfAFoot) {
-  const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  const RobotModel model = load_urdf(testing::source_path("robots/argos.urdf"));
   RobotState state;
   state.q = LegArray<LegJoints>(6);
   state.trig = LegArray<LegTrig>(6);

@@ -6,6 +6,7 @@
 #include <hexagait/plant/recorded_plant.hpp>
 #include <hexagait/script/preview.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <testing/source_path.hpp>
 
 namespace hexagait {
 namespace {
@@ -29,7 +30,7 @@ action::Action some_action() {
 
 // The controller is a function of what it measured: played back, it writes the same bits.
 TEST(RecordedPlant, MakesTheSameControllerWriteTheSameBits) {
-  const RobotModel model = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  const RobotModel model = load_urdf(testing::source_path("robots/argos.urdf"));
   const auto run = [&](Plant& plant, const auto& observe) {
     ActionRunner runner(model);
     Measurement measurement;

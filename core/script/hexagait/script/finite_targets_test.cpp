@@ -9,6 +9,7 @@
 #include <testing/poisoned_actions.hpp>
 #include <testing/random_actions.hpp>
 #include <testing/scripted_robot.hpp>
+#include <testing/source_path.hpp>
 
 // Targets are finite and within the joints' limits whatever numbers a program gives.
 
@@ -28,8 +29,8 @@ constexpr double kAbsurd[] = {kNaN,  kInfinity, -kInfinity, 1e308, -1e200, 1e100
                               -1e30, 1e13,      1e-300,     -1e-9, 0.0,    -1.0};
 
 const RobotModel& robot(int index) {
-  static const RobotModel robots[] = {load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf"),
-                                      load_urdf(HEXAGAIT_SOURCE_DIR "/robots/hexapod_4dof.urdf")};
+  static const RobotModel robots[] = {load_urdf(testing::source_path("robots/argos.urdf")),
+                                      load_urdf(testing::source_path("robots/hexapod_4dof.urdf"))};
   return robots[index];
 }
 

@@ -7,7 +7,7 @@
 #include <testing/action_words.hpp>
 #include <testing/argos.hpp>
 
-namespace hexagait {
+namespace hexagait::preview_test {
 namespace {
 
 using testing::argos;
@@ -130,4 +130,4 @@ TEST(NominalJoints, PutTheFeetAtTheirWorkspaceCentres) {
 }
 
 }  // namespace
-}  // namespace hexagait
+}  // namespace hexagait::preview_test

@@ -4,11 +4,12 @@
 
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <testing/source_path.hpp>
 
 namespace hexagait {
 namespace {
 
-const std::string kQuadrupedPath = HEXAGAIT_SOURCE_DIR "/robots/quadruped.urdf";
+const std::string kQuadrupedPath = testing::source_path("robots/quadruped.urdf");
 
 // 18 + 4 · (0.6 + 0.8 + 0.6); hips 0.24 m · (cos 45°, sin 45°) inwards of the feet, (0.2 + 0.36) /
 // 2.2 above them, 0.16 m below the origin.

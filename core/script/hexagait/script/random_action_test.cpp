@@ -7,13 +7,14 @@
 #include <testing/counted_allocations.hpp>
 #include <testing/random_actions.hpp>
 #include <testing/scripted_robot.hpp>
+#include <testing/source_path.hpp>
 
 // Whatever is commanded when, and whatever feet feel: laws that hold in every tick, of random
 // actions that are preempted, replaced, paused and stopped on ground that comes and goes, at any
 // control period. More of them:
 // RC_PARAMS="max_success=100000" script_test --gtest_filter='RandomActions.*'
 
-namespace hexagait {
+namespace hexagait::random_action_test {
 namespace {
 
 using testing::ActionSpec;
@@ -40,7 +41,7 @@ std::ostream& operator<<(std::ostream& os, const Spec& s) {
 }
 
 RobotModel robot(const char* name) {
-  return load_urdf(std::string(HEXAGAIT_SOURCE_DIR "/robots/") + name);
+  return load_urdf(testing::source_path("robots/" + std::string(name)));
 }
 const RobotModel& robot(int index) {
   static const RobotModel robots[] = {robot("argos.urdf"), robot("quadruped.urdf"),
@@ -272,4 +273,4 @@ TEST(RandomActions, EndThoughAContactFlickersInTimeWithTheTicks) {
 }
 
 }  // namespace
-}  // namespace hexagait
+}  // namespace hexagait::random_action_test

@@ -9,7 +9,7 @@
 
 // When a step may begin: not while paused, and not while a leg that stands is not sure to stand.
 
-namespace hexagait {
+namespace hexagait::step_begin_test {
 namespace {
 
 using testing::argos;
@@ -95,4 +95,4 @@ TEST(StepBegin, OfAnActionFailsIfAStandingLegFindsNoGround) {
 }
 
 }  // namespace
-}  // namespace hexagait
+}  // namespace hexagait::step_begin_test

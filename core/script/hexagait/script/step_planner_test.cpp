@@ -7,8 +7,9 @@
 #include <testing/action_words.hpp>
 #include <testing/round_params.hpp>
 #include <testing/scripted_robot.hpp>
+#include <testing/source_path.hpp>
 
-namespace hexagait {
+namespace hexagait::step_planner_test {
 namespace {
 
 using testing::base_target;
@@ -40,7 +41,7 @@ struct Scene {
   Executor executor;
 
   explicit Scene(const char* name = "argos.urdf")
-      : robot(load_urdf(std::string(HEXAGAIT_SOURCE_DIR "/robots/") + name)),
+      : robot(load_urdf(testing::source_path("robots/" + std::string(name)))),
         planner(robot.model, {.stance = stay, .script = testing::round_params().script}),
         executor(robot.runner.executor()) {
     planner.reserve({}, executor);
@@ -221,4 +222,4 @@ TEST(BaseTarget, InTheBaseIsMeantFromWhereTheBaseIs) {
 }
 
 }  // namespace
-}  // namespace hexagait
+}  // namespace hexagait::step_planner_test

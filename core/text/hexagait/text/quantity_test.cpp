@@ -11,10 +11,10 @@
 namespace hexagait {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::StartsWith;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
 
 TEST(Quantity, IsInSiUnitsWithoutAUnitAndIsConvertedWithOne) {
   const struct {

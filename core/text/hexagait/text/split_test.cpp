@@ -7,7 +7,7 @@
 namespace hexagait {
 namespace {
 
-using testing::ElementsAre;
+using ::testing::ElementsAre;
 
 TEST(Split, GivesWhatStandsBetweenTheSeparatorsEvenIfItIsNothing) {
   EXPECT_THAT(split("a,bc,d", ','), ElementsAre("a", "bc", "d"));

@@ -12,14 +12,14 @@
 namespace hexagait {
 namespace {
 
-using testing::HasSubstr;
-using testing::ThrowsMessage;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
 
-class TextFile : public testing::Test {
+class TextFile : public ::testing::Test {
  protected:
   TextFile() { std::ofstream(path_) << "four"; }
   ~TextFile() override { std::filesystem::remove(path_); }
-  const std::string path_ = testing::TempDir() + "text-" + std::to_string(getpid());
+  const std::string path_ = ::testing::TempDir() + "text-" + std::to_string(getpid());
 };
 
 TEST_F(TextFile, IsReadUpToTheLargestSize) {

@@ -15,8 +15,9 @@ TEST(Violations, AreListedAllAtOnceEachOnceAtItsPlace) {
   violations.add("leg LF", "is missing");
   violations.add(Mark{2, 3}, "is wrong");
   violations.add(Mark{2, 3}, "is wrong");
-  EXPECT_THAT([&] { violations.throw_if_any(); },
-              testing::ThrowsMessage<InvalidInput>("file: leg LF: is missing\nfile:2:3: is wrong"));
+  EXPECT_THAT(
+      [&] { violations.throw_if_any(); },
+      ::testing::ThrowsMessage<InvalidInput>("file: leg LF: is missing\nfile:2:3: is wrong"));
 }
 
 // The hundredth ends the list with a line that says so.

@@ -9,8 +9,9 @@
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <sstream>
+#include <testing/source_path.hpp>
 
-namespace hexagait {
+namespace hexagait::urdf_refusal_test {
 namespace {
 
 // Each test spoils the text of Argos in one place and looks for the message.
@@ -25,7 +26,7 @@ std::string edited(std::string text, const std::string& from, const std::string&
 }
 
 std::string argos_text() {
-  std::ifstream file(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  std::ifstream file(testing::source_path("robots/argos.urdf"));
   std::stringstream text;
   text << file.rdbuf();
   return text.str();
@@ -55,7 +56,8 @@ TEST(ParseUrdf, RefusesWhatIsNotARobot) {
       {"<html/>", "robot.urdf: URDF: has no <robot> element"},
       {"<robot name='x'/>", "robot.urdf:1: robot x: has no links"},
       {"<robot name='x'><link name='a'/></robot>", "robot.urdf: robot: has 0 legs; need an even"}};
-  for (const auto& [text, message] : texts) EXPECT_THAT(refusal(text), testing::HasSubstr(message));
+  for (const auto& [text, message] : texts)
+    EXPECT_THAT(refusal(text), ::testing::HasSubstr(message));
 }
 
 TEST(ParseUrdf, RefusesNumbersThatAreNone) {
@@ -78,7 +80,7 @@ TEST(ParseUrdf, RefusesNumbersThatAreNone) {
       {"izz=\"0.0080275\"", "izz=\"nan\"", "link LF_femur: inertia izz is 'nan'", femur}};
   for (const Fault& fault : faults)
     EXPECT_THAT(refusal(edited(argos_text(), fault.from, fault.to, fault.after)),
-                testing::HasSubstr(fault.message));
+                ::testing::HasSubstr(fault.message));
 }
 
 TEST(ParseUrdf, RefusesImpossibleMassesAndShapes) {
@@ -99,7 +101,7 @@ TEST(ParseUrdf, RefusesImpossibleMassesAndShapes) {
        "<collision>\n      <geometry><sphere"}};
   for (const Fault& fault : faults)
     EXPECT_THAT(refusal(edited(argos_text(), fault.from, fault.to, fault.after)),
-                testing::HasSubstr(fault.message));
+                ::testing::HasSubstr(fault.message));
 }
 
 TEST(ParseUrdf, RefusesImpossibleLimits) {
@@ -117,7 +119,7 @@ TEST(ParseUrdf, RefusesImpossibleLimits) {
        "joint LF_knee: limits -2 to -1 rad never let the knee bend upwards", knee}};
   for (const Fault& fault : faults)
     EXPECT_THAT(refusal(edited(argos_text(), fault.from, fault.to, fault.after)),
-                testing::HasSubstr(fault.message));
+                ::testing::HasSubstr(fault.message));
 }
 
 TEST(ParseUrdf, RefusesChainsThatAreNoLegs) {
@@ -137,7 +139,7 @@ TEST(ParseUrdf, RefusesChainsThatAreNoLegs) {
       {"<limit", "<mimic joint=\"RF_yaw\"/><limit", "joint LF_yaw: mimics RF_yaw", yaw}};
   for (const Fault& fault : faults)
     EXPECT_THAT(refusal(edited(argos_text(), fault.from, fault.to, fault.after)),
-                testing::HasSubstr(fault.message));
+                ::testing::HasSubstr(fault.message));
 }
 
 TEST(ParseUrdf, RefusesWhatIsNotATree) {
@@ -158,7 +160,7 @@ TEST(ParseUrdf, RefusesWhatIsNotATree) {
       {"</robot>", second, "link LF_foot: has two parents, by the joints LF_ankle and again"}};
   for (const Fault& fault : faults)
     EXPECT_THAT(refusal(edited(argos_text(), fault.from, fault.to, fault.after)),
-                testing::HasSubstr(fault.message));
+                ::testing::HasSubstr(fault.message));
 }
 
 TEST(ParseUrdf, HoldsWhatBranchesOffALeg) {
@@ -183,7 +185,7 @@ TEST(ParseUrdf, RefusesAnyNumberOfLegsThatDoesNotPair) {
             "--legs)");
   EXPECT_THAT(
       refusal(edited(argos_text(), "xyz=\"0 0.17 0\"", "xyz=\"0 0 0\"")),
-      testing::HasSubstr("leg LM: hip is at y = 0 m; it must be left or right of the middle"));
+      ::testing::HasSubstr("leg LM: hip is at y = 0 m; it must be left or right of the middle"));
 }
 
 TEST(ParseUrdf, ListsAllViolationsAtOnceALineEach) {
@@ -217,7 +219,7 @@ TEST(ParseUrdf, RefusesElementsThatAreNestedTooDeep) {
                   repeated("<a b='/>'>", depth) + repeated("</a>", depth) + "</robot>");
   };
   EXPECT_EQ(refusal(nested(63)), "");
-  EXPECT_THAT(refusal(nested(64)), testing::HasSubstr("nested deeper than 64"));
+  EXPECT_THAT(refusal(nested(64)), ::testing::HasSubstr("nested deeper than 64"));
 }
 
 TEST(ParseUrdf, ReadsCommentsOfAnyContent) {
@@ -235,9 +237,9 @@ TEST(ParseUrdf, RefusesMoreLinksAndElementsAndBytesThanARobotHas) {
   }
   EXPECT_EQ(refusal(chain + "</robot>"), "robot.urdf: URDF: line 1: has more than 1000 links");
   EXPECT_THAT(refusal("<robot name='x'>" + repeated("<a/>", 100'001) + "</robot>"),
-              testing::HasSubstr("has more than 100000 elements"));
+              ::testing::HasSubstr("has more than 100000 elements"));
   EXPECT_THAT(refusal(std::string(10'000'001, ' ')),
-              testing::HasSubstr("has 10000001 bytes; at most 10000000 are read"));
+              ::testing::HasSubstr("has 10000001 bytes; at most 10000000 are read"));
 }
 
 // 999 bad joints are not 999 lines.
@@ -254,8 +256,8 @@ TEST(ParseUrdf, ListsAHundredViolationsAtMost) {
 
 TEST(LoadUrdf, RefusesAFileThatCannotBeRead) {
   for (const auto& [path, reason] :
-       {std::pair("/no/such.urdf", "can't be read: No such file or directory"),
-        std::pair(HEXAGAIT_SOURCE_DIR, "is a directory")}) {
+       {std::pair(std::string("/no/such.urdf"), "can't be read: No such file or directory"),
+        std::pair(testing::source_path("."), "is a directory")}) {
     try {
       (void)load_urdf(path);
       ADD_FAILURE() << path;
@@ -266,4 +268,4 @@ TEST(LoadUrdf, RefusesAFileThatCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace hexagait
+}  // namespace hexagait::urdf_refusal_test

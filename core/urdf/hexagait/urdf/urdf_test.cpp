@@ -7,11 +7,12 @@
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <sstream>
+#include <testing/source_path.hpp>
 
-namespace hexagait {
+namespace hexagait::urdf_test {
 namespace {
 
-const std::string kArgosPath = HEXAGAIT_SOURCE_DIR "/robots/argos.urdf";
+const std::string kArgosPath = testing::source_path("robots/argos.urdf");
 
 double distance(const Vector3& a, const Vector3& b) { return (a - b).norm(); }
 
@@ -56,7 +57,7 @@ TEST(Argos, HasSplayedWorkspaceCentresThatMirrorEachOther) {
 
 // Two joints: 0.02 m to the lift axis, 0.10 m to the foot, lowered by 45°. Angles of the file have six digits.
 TEST(Genghis, HasLegsOfTwoJoints) {
-  const RobotModel genghis = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/genghis.urdf");
+  const RobotModel genghis = load_urdf(testing::source_path("robots/genghis.urdf"));
   ASSERT_EQ(genghis.num_legs(), 6);
   EXPECT_NEAR(genghis.mass, 1.0, 1e-12);
   const double side = 0.1 * std::sqrt(0.5);
@@ -169,4 +170,4 @@ TEST(ParseUrdf, TakesAContinuousJointToTurnHalfATurnEachWay) {
 }
 
 }  // namespace
-}  // namespace hexagait
+}  // namespace hexagait::urdf_test

@@ -6,7 +6,7 @@
 
 // Each judge is shown what makes its claims hold, and then, one by one, what must break them.
 
-namespace hexagait::experiments {
+namespace hexagait::experiments::judges_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -104,4 +104,4 @@ TEST(JudgeLocalised, WantsDriftJumpsSmoothnessAndAccuracy) {
 }
 
 }  // namespace
-}  // namespace hexagait::experiments
+}  // namespace hexagait::experiments::judges_test

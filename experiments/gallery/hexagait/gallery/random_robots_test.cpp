@@ -43,7 +43,7 @@ TEST(RandomRobots, AreReadAsTheyWereDrawn) {
     }
   }
   EXPECT_EQ(layouts.size(), 4U);
-  EXPECT_THAT(legs, testing::ElementsAre(4, 6, 8, 10));
+  EXPECT_THAT(legs, ::testing::ElementsAre(4, 6, 8, 10));
 }
 
 std::vector<RobotTrial> good_trials(std::size_t count) {
@@ -84,8 +84,8 @@ TEST(JudgeRandomRobots, LeavesOutWhoCannotStand) {
   trials[3].cannot_stand = "joint a needs 2 N m, and has 1 N m";
   trials[3].walks.clear();
   EXPECT_EQ(judge_random_robots(trials).word(), "holds");
-  EXPECT_THAT(judge_random_robots(trials).remark, testing::HasSubstr("9 of 10 can stand"));
-  EXPECT_THAT(table(trials).text(), testing::HasSubstr("joint a needs"));
+  EXPECT_THAT(judge_random_robots(trials).remark, ::testing::HasSubstr("9 of 10 can stand"));
+  EXPECT_THAT(table(trials).text(), ::testing::HasSubstr("joint a needs"));
 }
 
 }  // namespace

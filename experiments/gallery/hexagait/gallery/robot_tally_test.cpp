@@ -5,6 +5,7 @@
 
 #include <hexagait/gallery/robot_tally.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <testing/source_path.hpp>
 
 namespace hexagait::experiments {
 namespace {
@@ -14,7 +15,7 @@ std::vector<GalleryRobot> good_robots() {
   std::vector<GalleryRobot> robots;
   for (const char* name : {"argos", "quadruped_rpp"}) {
     robots.push_back(
-        in_gallery(load_urdf(std::string(HEXAGAIT_SOURCE_DIR "/robots/") + name + ".urdf")));
+        in_gallery(load_urdf(testing::source_path("robots/" + std::string(name) + ".urdf"))));
     const WalkEnd end{.outcome = "walked", .seconds = 10.0, .way = 2.0, .off_path = 0.01};
     for (const char* heading : {"straight", "arc", "spin", "crab 45°"})
       robots.back().walks.push_back({name, heading, 0.0, 1, end});
@@ -73,8 +74,8 @@ TEST(GalleryPage, HasARowPerRobotAndSaysHowWalksEnded) {
   robots[0].walks[1].end.outcome = "stuck";
   robots[0].walks[10].end.outcome = "fell";
   const std::string page = gallery_page(robots, "ideal", false);
-  EXPECT_THAT(page, testing::HasSubstr("| `argos` | 0.200 (1.00 %) | **stuck** | 0.200"));
-  EXPECT_THAT(page, testing::HasSubstr("| 19 of 20, 1 fell; 0.200 |"));
+  EXPECT_THAT(page, ::testing::HasSubstr("| `argos` | 0.200 (1.00 %) | **stuck** | 0.200"));
+  EXPECT_THAT(page, ::testing::HasSubstr("| 19 of 20, 1 fell; 0.200 |"));
 }
 
 }  // namespace

@@ -6,17 +6,18 @@
 #include <hexagait/paths/path_shapes.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <hexagait/walk/paths/path_file.hpp>
+#include <testing/source_path.hpp>
 
 namespace hexagait::experiments {
 namespace {
 
 // To the four digits of the files.
 TEST(PathShapes, AreThoseThatComeAlong) {
-  const RobotModel robot = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  const RobotModel robot = load_urdf(testing::source_path("robots/argos.urdf"));
   const double size = scale_of(robot).size;
   const auto expect_same = [&](const path_following::Path& made, const std::string& name) {
     const auto file =
-        walk::load_path(HEXAGAIT_SOURCE_DIR "/paths/" + name, robot, params_for(robot).step).path;
+        walk::load_path(testing::source_path("paths/" + name), robot, params_for(robot).step).path;
     ASSERT_NEAR(made.length(), file.length(), 1e-3 * size) << name;
     EXPECT_EQ(made.closed(), file.closed());
     for (int k = 0; k < 100; ++k)

@@ -7,7 +7,7 @@
 
 // Each judge is shown what makes its claims hold, and then, one by one, what must break them.
 
-namespace hexagait::experiments {
+namespace hexagait::experiments::judges_test {
 namespace {
 
 std::vector<std::string> words(const std::vector<Verdict>& verdicts) {
@@ -313,4 +313,4 @@ TEST(JudgeWaveFamily, WantsDutyPhaseAndSpeedOfEverySegment) {
 }
 
 }  // namespace
-}  // namespace hexagait::experiments
+}  // namespace hexagait::experiments::judges_test

@@ -4,7 +4,7 @@
 
 #include <hexagait/pc04/robot_judges.hpp>
 
-namespace hexagait::experiments {
+namespace hexagait::experiments::robot_judges_test {
 namespace {
 
 std::vector<bool> holding(const std::vector<Verdict>& verdicts) {
@@ -78,4 +78,4 @@ TEST(JudgeFig12, WantsFeetToSlipByLessThanACentimetre) {
 }
 
 }  // namespace
-}  // namespace hexagait::experiments
+}  // namespace hexagait::experiments::robot_judges_test

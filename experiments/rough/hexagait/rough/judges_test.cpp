@@ -94,7 +94,7 @@ TEST(JudgeRough, TellsWhenTheWaveIsNotSlower) {
 TEST(JudgeRough, TellsWhenTheFreeGaitLeads) {
   auto all = points();
   free_at(all, "ideal", 0.15).lead = {0.009, 0.008, 0.010};
-  EXPECT_THAT(judge_lead(all).lines(), testing::Contains(testing::HasSubstr("1.06; claimed")));
+  EXPECT_THAT(judge_lead(all).lines(), ::testing::Contains(::testing::HasSubstr("1.06; claimed")));
   EXPECT_EQ(judge_lead(all).word(), kFails);
 }
 
@@ -121,9 +121,9 @@ TEST(RoughPage, SaysHowTheOthersEndedAndLeavesOutWhatThereIsNot) {
   free.late = 10;
   free.speed = {};
   const std::string text = page(all, 0.63);
-  EXPECT_THAT(text, testing::HasSubstr("Plant `real`:"));
-  EXPECT_THAT(text,
-              testing::HasSubstr("| 30 | 0.48 | `free` | 0 of 200 (0–2 %) | 150 fell, 30 stuck, 10 "
+  EXPECT_THAT(text, ::testing::HasSubstr("Plant `real`:"));
+  EXPECT_THAT(
+      text, ::testing::HasSubstr("| 30 | 0.48 | `free` | 0 of 200 (0–2 %) | 150 fell, 30 stuck, 10 "
                                  "late, 10 fault | – | – |"));
 }
 

@@ -8,18 +8,19 @@
 #include <hexagait/rough/tally.hpp>
 #include <hexagait/sweep/results.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <testing/source_path.hpp>
 
 namespace hexagait::experiments {
 namespace {
 
-RobotModel argos() { return load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf"); }
+RobotModel argos() { return load_urdf(testing::source_path("robots/argos.urdf")); }
 
 TEST(RoughSweep, GoesToFourFifthsOfTheReachOfALeg) {
   const RobotModel robot = argos();
   const RoughSize size = rough_size(robot, 0, false);
   EXPECT_THAT(size.heights,
-              testing::Pointwise(testing::DoubleNear(1e-9),
-                                 {0.0, 0.05, 0.10, 0.15, 0.20, 0.25, 0.30, 0.40, 0.50}));
+              ::testing::Pointwise(::testing::DoubleNear(1e-9),
+                                   {0.0, 0.05, 0.10, 0.15, 0.20, 0.25, 0.30, 0.40, 0.50}));
   EXPECT_NEAR(size.heights.back() / leg_reach(robot), 0.8, 0.04);
   const sweep::Sweep sweep = rough_sweep(robot, size, {{}, recording::parse_plant("real")});
   EXPECT_EQ(sweep::num_trials(sweep), 4U * 2U * 9U * 200U);
@@ -42,7 +43,7 @@ TEST(RoughSweep, GivesAllControllersTheSameTerrains) {
 TEST(RoughTally, CountsTheWalksOfASweep) {
   const RobotModel robot = argos();
   const std::filesystem::path directory =
-      std::filesystem::path(testing::TempDir()) / "rough_tally_test";
+      std::filesystem::path(::testing::TempDir()) / "rough_tally_test";
   std::filesystem::remove_all(directory);
   const sweep::Sweep sweep = rough_sweep(robot, {{0.0, 0.10}, 2, 0.2, 6.0}, {{}});
   ASSERT_TRUE(sweep::run_shard(sweep, {}, directory, {}).complete());

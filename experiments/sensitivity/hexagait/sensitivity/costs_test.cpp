@@ -72,7 +72,7 @@ TEST(Sensitivity, ThePageHasALinePerPlantAndPerFault) {
        {"| `late_ticks` | Probability that", "| **5%** |", "| **1kgm2** |",
         "| `late_ticks:5%` | 10 of 10 (72–100 %) | 0.161 | 80 | 1.0 | 0.00 (0.00) | 7 of 10 (40–",
         "| `armature:1kgm2` | 0 of 10 (0–28 %) | – | – | – |"})
-    EXPECT_THAT(text, testing::HasSubstr(part));
+    EXPECT_THAT(text, ::testing::HasSubstr(part));
 }
 
 TEST(Sensitivity, ThePageSaysWhatEachLadderIsAndItsSizesAlone) {
@@ -81,9 +81,9 @@ TEST(Sensitivity, ThePageSaysWhatEachLadderIsAndItsSizesAlone) {
                                         {"imu:on+rate_bias:0.05", cost(10, 0.1), cost(10, 0.15)}};
   const std::string text =
       page({}, {{"imu", {"imu:on"}}, {"rate_bias", {"imu:on+rate_bias:0.05"}}}, costs);
-  EXPECT_THAT(text, testing::HasSubstr("| `imu` | The robot has an inertial measurement unit"));
-  EXPECT_THAT(text, testing::HasSubstr("| still walks at on |"));
-  EXPECT_THAT(text, testing::HasSubstr("| **0.05** |"));
+  EXPECT_THAT(text, ::testing::HasSubstr("| `imu` | The robot has an inertial measurement unit"));
+  EXPECT_THAT(text, ::testing::HasSubstr("| still walks at on |"));
+  EXPECT_THAT(text, ::testing::HasSubstr("| **0.05** |"));
 }
 
 }  // namespace

@@ -30,10 +30,10 @@ TEST(GroundTable, IsTheHeightOfTheTerrainOnAGrid) {
 }
 
 TEST(GroundTable, PaintsIceAndSoftGround) {
-  EXPECT_THAT(column(table_of("ice:0.1"), 3), testing::Contains(2.0));
-  EXPECT_THAT(column(table_of("ice:0.1"), 3), testing::Contains(0.0));
-  EXPECT_THAT(column(table_of("soft:20000"), 3), testing::Each(3.0));
-  EXPECT_THAT(column(table_of("cliff:3m"), 3), testing::Contains(-1.0));
+  EXPECT_THAT(column(table_of("ice:0.1"), 3), ::testing::Contains(2.0));
+  EXPECT_THAT(column(table_of("ice:0.1"), 3), ::testing::Contains(0.0));
+  EXPECT_THAT(column(table_of("soft:20000"), 3), ::testing::Each(3.0));
+  EXPECT_THAT(column(table_of("cliff:3m"), 3), ::testing::Contains(-1.0));
 }
 
 }  // namespace

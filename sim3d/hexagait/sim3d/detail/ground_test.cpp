@@ -32,7 +32,7 @@ bool is_level(const Terrain& terrain, double x, double y) {
   return true;
 }
 
-class GroundOfKind : public testing::TestWithParam<std::string> {
+class GroundOfKind : public ::testing::TestWithParam<std::string> {
  protected:
   GroundOfKind() { initialise_ode(); }
 };
@@ -111,7 +111,7 @@ TEST_P(GroundOfKind, PushesABallUpwards) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, GroundOfKind, testing::ValuesIn(examples()));
+INSTANTIATE_TEST_SUITE_P(Kinds, GroundOfKind, ::testing::ValuesIn(examples()));
 
 // A ball whose centre is 19 mm from a plane that rises by 20° along y, 1 mm deep.
 TEST(Ground, PushesABallAwayFromASlope) {

@@ -3,17 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <hexagait/model/kinematics.hpp>
-#include <hexagait/urdf/urdf.hpp>
 #include <hexagait/viewer/display/scene.hpp>
 #include <hexagait/walk/trial.hpp>
 #include <nlohmann/json.hpp>
+#include <testing/argos_walk.hpp>
 
 namespace hexagait::viewer {
 namespace {
 
 using nlohmann::json;
-
-RobotModel argos() { return load_urdf(HEXAGAIT_ROBOTS "/argos.urdf"); }
+using testing::argos;
 
 Vector3 vector(const json& v) {
   return {v[0].get<double>(), v[1].get<double>(), v[2].get<double>()};

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <vector>
 
-namespace hexagait::viewer {
+namespace hexagait::viewer::replay_file_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -198,4 +198,4 @@ TEST(ReplayFile, WithoutFramesOrWithThoseOfAnotherRobotIsRefused) {
 }
 
 }  // namespace
-}  // namespace hexagait::viewer
+}  // namespace hexagait::viewer::replay_file_test

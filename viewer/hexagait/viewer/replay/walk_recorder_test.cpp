@@ -3,20 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <hexagait/model/kinematics.hpp>
-#include <hexagait/urdf/urdf.hpp>
 #include <hexagait/viewer/replay/walk_recorder.hpp>
 #include <sstream>
+#include <testing/argos_walk.hpp>
 #include <vector>
 
-namespace hexagait::viewer {
+namespace hexagait::viewer::walk_recorder_test {
 namespace {
 
 using heading_control::Heading;
-
-const RobotModel& argos() {
-  static const RobotModel robot = load_urdf(HEXAGAIT_ROBOTS "/argos.urdf");
-  return robot;
-}
+using testing::argos;
 
 // A wave gait from 1 s on.
 recording::Simulation over_boxes() {
@@ -102,4 +98,4 @@ TEST(WalkRecorder, HasTheSceneAndTheGroundBeforeTheFrames) {
 }
 
 }  // namespace
-}  // namespace hexagait::viewer
+}  // namespace hexagait::viewer::walk_recorder_test

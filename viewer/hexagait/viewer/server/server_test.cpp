@@ -12,6 +12,7 @@
 #include <hexagait/viewer/server/page_files.hpp>
 #include <hexagait/viewer/server/server.hpp>
 #include <hexagait/viewer/session/session.hpp>
+#include <testing/source_path.hpp>
 
 namespace hexagait::viewer {
 namespace {
@@ -113,7 +114,7 @@ class Socket {
 
 SessionOptions options() {
   SessionOptions result;
-  result.robot = load_urdf(HEXAGAIT_ROBOTS "/argos.urdf");
+  result.robot = load_urdf(hexagait::testing::source_path("robots/argos.urdf"));
   result.heading = heading_control::Heading::straight(0.0);
   return result;
 }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <testing/argos_walk.hpp>
 #include <testing/session_client.hpp>
+#include <testing/source_path.hpp>
 
 // Scripted actions of a session, in time that runs ten times as fast as the machine's.
 namespace hexagait::viewer {
@@ -33,11 +34,11 @@ class ActionSession : public ::testing::Test {
     result.speed_factor = 10.0;
     result.robots = {"argos", "mite"};
     result.load = [](const std::string& name) {
-      return LoadedRobot{load_urdf(HEXAGAIT_ROBOTS "/" + name + ".urdf"), {}};
+      return LoadedRobot{load_urdf(hexagait::testing::source_path("robots/" + name + ".urdf")), {}};
     };
     result.actions = {"wave", "paw", "height"};
     result.load_action = [](const std::string& name) {
-      return read_text(HEXAGAIT_ACTIONS "/" + name + ".yaml", 100'000);
+      return read_text(hexagait::testing::source_path("actions/" + name + ".yaml"), 100'000);
     };
     return result;
   }
@@ -137,7 +138,7 @@ TEST_F(ActionSession, RefusesAnActionWithErrorsAndWalksOn) {
 TEST_F(ActionSession, NamesNoFiles) {
   EXPECT_THAT(send(R"({"type":"action","action":"../../etc/passwd"})"),
               HasSubstr("there is no action"));
-  const std::string robot = HEXAGAIT_ROBOTS "/argos.urdf";
+  const std::string robot = hexagait::testing::source_path("robots/argos.urdf");
   EXPECT_THAT(send_yaml("robot: " + robot + "\nsteps:\n- step:\n  - base_auto:\n"), IsEmpty());
   const Json refused = news("refused");
   EXPECT_THAT(refused["findings"][0]["text"].get<std::string>(),

@@ -8,9 +8,10 @@
 #include <hexagait/urdf/urdf.hpp>
 #include <hexagait/viewer/session/session.hpp>
 #include <testing/session_client.hpp>
+#include <testing/source_path.hpp>
 
 // In real time, so each test takes up to a second or two; bounds are wide, as machines are busy.
-namespace hexagait::viewer {
+namespace hexagait::viewer::session_test {
 namespace {
 
 using std::chrono::milliseconds;
@@ -21,12 +22,12 @@ using ::testing::IsEmpty;
 
 SessionOptions options(const char* terrain = "flat") {
   SessionOptions result;
-  result.robot = load_urdf(HEXAGAIT_ROBOTS "/argos.urdf");
+  result.robot = load_urdf(hexagait::testing::source_path("robots/argos.urdf"));
   result.simulation.terrain = sim3d::parse_terrain(terrain);
   result.heading = heading_control::Heading::straight(0.0);
   result.robots = {"argos", "mite", "quadruped"};
   result.load = [](const std::string& name) {
-    return LoadedRobot{load_urdf(std::string(HEXAGAIT_ROBOTS "/") + name + ".urdf"), {}};
+    return LoadedRobot{load_urdf(hexagait::testing::source_path("robots/" + name + ".urdf")), {}};
   };
   return result;
 }
@@ -376,4 +377,4 @@ TEST(Session, RefusesAWalkThatCantBe) {
 }
 
 }  // namespace
-}  // namespace hexagait::viewer
+}  // namespace hexagait::viewer::session_test

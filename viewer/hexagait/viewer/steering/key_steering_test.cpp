@@ -8,6 +8,7 @@
 #include <hexagait/viewer/steering/key_steering.hpp>
 #include <iterator>
 #include <numbers>
+#include <testing/source_path.hpp>
 
 namespace hexagait::viewer {
 namespace {
@@ -106,7 +107,7 @@ TEST(KeySteering, AsksForTheRest) {
 
 // The wheel of the page and the keys of the terminal have the same notches.
 TEST(KeySteering, HasTheWheelOfThePage) {
-  std::ifstream file(HEXAGAIT_ROBOTS "/../viewer/page/src/steering.js");
+  std::ifstream file(hexagait::testing::source_path("viewer/page/src/steering.js"));
   const std::string script{std::istreambuf_iterator<char>(file), {}};
   for (const char* line :
        {"kMostCurvature = 2;", "kStop = 150;", "- 12 * way", "/ 15) * 15 + 15 * way"})

@@ -8,8 +8,9 @@
 #include <hexagait/text/text_file.hpp>
 #include <hexagait/viewer/tasks/checked_action.hpp>
 #include <testing/argos_walk.hpp>
+#include <testing/source_path.hpp>
 
-namespace hexagait::viewer {
+namespace hexagait::viewer::checked_action_test {
 namespace {
 
 using testing::argos;
@@ -20,13 +21,13 @@ CheckedAction checked(const std::string& yaml, bool cancelled = false) {
   const std::atomic<bool> stop = cancelled;
   const auto load = [](const std::string& name) -> RobotModel {
     if (name != "quadruped") throw InvalidInput("there is no robot " + name);
-    return load_urdf(HEXAGAIT_ROBOTS "/quadruped.urdf");
+    return load_urdf(hexagait::testing::source_path("robots/quadruped.urdf"));
   };
   return check_action(yaml, {argos(), {}, load}, stop);
 }
 
 std::string shared(const std::string& name) {
-  return read_text(HEXAGAIT_ACTIONS "/" + name + ".yaml", 100'000);
+  return read_text(hexagait::testing::source_path("actions/" + name + ".yaml"), 100'000);
 }
 
 TEST(CheckedAction, IsReadAndPlayedAhead) {
@@ -111,4 +112,4 @@ TEST(CheckedAction, IsNotBroughtDownByNonsense) {
 }
 
 }  // namespace
-}  // namespace hexagait::viewer
+}  // namespace hexagait::viewer::checked_action_test

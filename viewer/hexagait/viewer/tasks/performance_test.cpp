@@ -9,6 +9,7 @@
 #include <hexagait/text/text_file.hpp>
 #include <hexagait/viewer/tasks/checked_action.hpp>
 #include <testing/argos_walk.hpp>
+#include <testing/source_path.hpp>
 
 // Scripted actions of a robot that walks.
 namespace hexagait::viewer {
@@ -22,7 +23,8 @@ using testing::run;
 
 action::Action shared(const std::string& name) {
   const std::atomic<bool> cancelled = false;
-  const std::string text = read_text(HEXAGAIT_ACTIONS "/" + name + ".yaml", 100'000);
+  const std::string text =
+      read_text(hexagait::testing::source_path("actions/" + name + ".yaml"), 100'000);
   CheckedAction checked = check_action(text, {argos(), {}, {}}, cancelled);
   EXPECT_TRUE(checked.action) << name << ": " << checked.why;
   return std::move(*checked.action);

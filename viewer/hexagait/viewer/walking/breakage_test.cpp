@@ -7,8 +7,9 @@
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <hexagait/viewer/walking/breakage.hpp>
+#include <testing/source_path.hpp>
 
-namespace hexagait::viewer {
+namespace hexagait::viewer::breakage_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -16,8 +17,8 @@ using walk::parse_part_fault;
 using walk::PartFault;
 
 const RobotModel& robot(const char* name) {
-  static const RobotModel argos = load_urdf(HEXAGAIT_ROBOTS "/argos.urdf");
-  static const RobotModel mite = load_urdf(HEXAGAIT_ROBOTS "/mite.urdf");
+  static const RobotModel argos = load_urdf(hexagait::testing::source_path("robots/argos.urdf"));
+  static const RobotModel mite = load_urdf(hexagait::testing::source_path("robots/mite.urdf"));
   return std::string_view(name) == "mite" ? mite : argos;
 }
 
@@ -75,4 +76,4 @@ TEST(Breakage, ExamplesOfAllKindsAreAdmitted) {
 }
 
 }  // namespace
-}  // namespace hexagait::viewer
+}  // namespace hexagait::viewer::breakage_test

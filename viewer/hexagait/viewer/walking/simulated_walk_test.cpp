@@ -6,8 +6,9 @@
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/viewer/walking/simulated_walk.hpp>
 #include <testing/argos_walk.hpp>
+#include <testing/source_path.hpp>
 
-namespace hexagait::viewer {
+namespace hexagait::viewer::simulated_walk_test {
 namespace {
 
 using heading_control::Heading;
@@ -125,7 +126,7 @@ TEST(SimulatedWalk, PushMovesTheBody) {
 
 // 200 g with a push for 50 kg would be shot away.
 TEST(SimulatedWalk, PushIsAsHardAsTheRobotIsLargeAndHeavy) {
-  const RobotModel mite = load_urdf(HEXAGAIT_ROBOTS "/mite.urdf");
+  const RobotModel mite = load_urdf(hexagait::testing::source_path("robots/mite.urdf"));
   recording::Simulation simulation = on("flat");
   recording::complete(simulation, mite);
   SimulatedWalk walk(mite, simulation);
@@ -158,4 +159,4 @@ TEST(SimulatedWalk, ChangesItsGaitWhileItWalks) {
 }
 
 }  // namespace
-}  // namespace hexagait::viewer
+}  // namespace hexagait::viewer::simulated_walk_test

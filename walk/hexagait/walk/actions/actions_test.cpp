@@ -14,18 +14,19 @@
 #include <hexagait/urdf/urdf.hpp>
 #include <hexagait/walk/actions/action_trial.hpp>
 #include <hexagait/walk/start_posture.hpp>
+#include <testing/source_path.hpp>
 
-namespace hexagait::walk {
+namespace hexagait::walk::actions_test {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kActions = HEXAGAIT_SOURCE_DIR "/actions";
+const fs::path kActions = testing::source_path("actions");
 
 const RobotModel& robot(const std::string& name) {
   static std::map<std::string, RobotModel> models;
   if (!models.contains(name))
-    models[name] = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/" + name + ".urdf");
+    models[name] = load_urdf(testing::source_path("robots/" + name + ".urdf"));
   return models[name];
 }
 
@@ -89,9 +90,9 @@ std::string name_of(const Case& c) {
   return serial ? c.action + "_on_" + c.robot : c.action;
 }
 
-class Actions : public testing::TestWithParam<Case> {};
+class Actions : public ::testing::TestWithParam<Case> {};
 
-INSTANTIATE_TEST_SUITE_P(All, Actions, testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(All, Actions, ::testing::ValuesIn(kCases),
                          [](const auto& info) { return name_of(info.param); });
 
 TEST(ActionFiles, AreAllTested) {
@@ -167,8 +168,8 @@ TEST_P(Actions, AreCarriedOutByTorquesToo) {
 // From random joint values, the belly on the ground, to the stance: the origin 0.3 m above the
 // centres of feet of 2 cm. The feet are where the stance has them but for their rolling: the tibia
 // turns by 0.52 rad as the body rises, 0.02 · 0.52 = 1.0 cm.
-class Recovery : public testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Seeds, Recovery, testing::Range(0, 8));
+class Recovery : public ::testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Seeds, Recovery, ::testing::Range(0, 8));
 
 TEST_P(Recovery, BringsTheRobotToItsFeetFromAnyPosture) {
   const Case c{.action = "recovery", .start = StartKind::lying};
@@ -290,4 +291,4 @@ TEST(ActionTrial, HasTheSameBitsEveryTime) {
 }
 
 }  // namespace
-}  // namespace hexagait::walk
+}  // namespace hexagait::walk::actions_test

@@ -11,8 +11,9 @@
 #include <hexagait/walk/actions/action_trial.hpp>
 #include <hexagait/walk/start_posture.hpp>
 #include <testing/argos.hpp>
+#include <testing/source_path.hpp>
 
-namespace hexagait::walk {
+namespace hexagait::walk::virtual_model_test {
 namespace {
 
 constexpr auto kKinematic = WholeBodyController::kinematic;
@@ -61,7 +62,7 @@ struct PlanError {
 PlanError plan_error(const std::string& name, WholeBodyController controller) {
   Trial trial(controller);
   const action::Action action =
-      action::load_action(HEXAGAIT_SOURCE_DIR "/actions/" + name + ".yaml", argos());
+      action::load_action(testing::source_path("actions/" + name + ".yaml"), argos());
   PlanError error;
   Pose X_WO;
   Spring spring;
@@ -178,7 +179,7 @@ TEST(VirtualModel, HoldsByPositionsWhenItIsStopped) {
   Measurement measurement;
   trial.world.read(measurement);
   runner.start(measurement);
-  runner.submit(action::load_action(HEXAGAIT_SOURCE_DIR "/actions/push_up_six.yaml", argos()));
+  runner.submit(action::load_action(testing::source_path("actions/push_up_six.yaml"), argos()));
   double height = 0.0;
   for (int k = 0; k < 1500; ++k) {
     if (k == 600) {
@@ -197,7 +198,7 @@ TEST(VirtualModel, HoldsByPositionsWhenItIsStopped) {
 // Lowered onto its belly, the body meets the ground before its plan ends.
 TEST(VirtualModel, LiesDownWithoutPressingTheLegsApart) {
   const action::Action action =
-      action::load_action(HEXAGAIT_SOURCE_DIR "/actions/sit_down.yaml", argos());
+      action::load_action(testing::source_path("actions/sit_down.yaml"), argos());
   const ActionSummary stiff = Trial(kKinematic).run(action),
                       soft = Trial(kVirtualModel).run(action);
   EXPECT_TRUE(stiff.ok());
@@ -206,4 +207,4 @@ TEST(VirtualModel, LiesDownWithoutPressingTheLegsApart) {
 }
 
 }  // namespace
-}  // namespace hexagait::walk
+}  // namespace hexagait::walk::virtual_model_test

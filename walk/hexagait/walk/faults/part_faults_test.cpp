@@ -12,7 +12,7 @@
 #include <testing/control_period.hpp>
 
 // Each fault of a part, on a plant whose truth is known.
-namespace hexagait::walk {
+namespace hexagait::walk::part_faults_test {
 namespace {
 
 using testing::argos;
@@ -216,4 +216,4 @@ TEST(PartFaults, ACutLegIsGone) {
 }
 
 }  // namespace
-}  // namespace hexagait::walk
+}  // namespace hexagait::walk::part_faults_test

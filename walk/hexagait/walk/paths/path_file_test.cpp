@@ -9,18 +9,19 @@
 #include <hexagait/urdf/urdf.hpp>
 #include <hexagait/walk/paths/path_file.hpp>
 #include <numbers>
+#include <testing/source_path.hpp>
 
 namespace hexagait::walk {
 namespace {
 
 using path_following::Facing;
 using path_following::PathTask;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 const RobotModel& robot(const char* name) {
   static std::map<std::string, RobotModel> robots;
   if (!robots.contains(name))
-    robots[name] = load_urdf(std::string(HEXAGAIT_SOURCE_DIR "/robots/") + name + ".urdf");
+    robots[name] = load_urdf(testing::source_path("robots/" + std::string(name) + ".urdf"));
   return robots[name];
 }
 
@@ -116,8 +117,8 @@ TEST(PathFile, RefusesWhatIsNoFile) {
 
 // Of every robot.
 TEST(PathFile, ThoseThatComeAlongAreGood) {
-  for (const auto& path : std::filesystem::directory_iterator(HEXAGAIT_SOURCE_DIR "/paths"))
-    for (const auto& urdf : std::filesystem::directory_iterator(HEXAGAIT_SOURCE_DIR "/robots")) {
+  for (const auto& path : std::filesystem::directory_iterator(testing::source_path("paths")))
+    for (const auto& urdf : std::filesystem::directory_iterator(testing::source_path("robots"))) {
       if (urdf.path().extension() != ".urdf") continue;
       const RobotModel model = load_urdf(urdf.path());
       EXPECT_NO_THROW(static_cast<void>(load_path(path.path(), model, params_for(model).step)));

@@ -6,10 +6,11 @@
 #include <hexagait/urdf/urdf.hpp>
 #include <hexagait/walk/paths/path_file.hpp>
 #include <hexagait/walk/trial.hpp>
+#include <testing/source_path.hpp>
 
 // Robots on paths, in the simulator.
 
-namespace hexagait::walk {
+namespace hexagait::walk::path_walk_test {
 namespace {
 
 using path_following::FacingRule;
@@ -20,7 +21,7 @@ using path_following::Shape;
 const RobotModel& robot(const std::string& name) {
   static std::map<std::string, RobotModel> robots;
   if (!robots.contains(name))
-    robots[name] = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/" + name + ".urdf");
+    robots[name] = load_urdf(testing::source_path("robots/" + name + ".urdf"));
   return robots[name];
 }
 
@@ -96,4 +97,4 @@ TEST(PathWalk, OfACarThatMustTurnFirstIsNotStuck) {
 }
 
 }  // namespace
-}  // namespace hexagait::walk
+}  // namespace hexagait::walk::path_walk_test

@@ -10,6 +10,7 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <testing/source_path.hpp>
 
 namespace hexagait::action {
 namespace {
@@ -23,7 +24,7 @@ struct Section {
 
 std::map<std::string, Section> read_document() {
   std::map<std::string, Section> sections;
-  std::istringstream text(read_text(HEXAGAIT_SOURCE_DIR "/docs/actions.md", kMaxYamlText));
+  std::istringstream text(read_text(testing::source_path("docs/actions.md"), kMaxYamlText));
   std::string line, heading;
   bool in_yaml = false;
   while (std::getline(text, line)) {
@@ -72,7 +73,7 @@ TEST(ActionKeys, AreAllThatTheDocumentHas) {
 }
 
 TEST(ActionKeys, AreAcceptedAsInTheExamplesOfTheDocument) {
-  const RobotModel argos = load_urdf(HEXAGAIT_SOURCE_DIR "/robots/argos.urdf");
+  const RobotModel argos = load_urdf(testing::source_path("robots/argos.urdf"));
   ActionVocabulary vocabulary;
   vocabulary.custom_types = {"lamp"};
   std::string all;
@@ -83,7 +84,7 @@ TEST(ActionKeys, AreAcceptedAsInTheExamplesOfTheDocument) {
     }
   for (const YamlKeys& map : all_maps())
     for (const std::string_view key : map.keys)
-      EXPECT_THAT(all, testing::HasSubstr(std::string(key) + ":")) << map.of;
+      EXPECT_THAT(all, ::testing::HasSubstr(std::string(key) + ":")) << map.of;
 }
 
 // Each command is shown with all of its options, under its own heading.
@@ -93,7 +94,7 @@ TEST(ActionKeys, AreAllInTheExampleOfTheirCommand) {
     std::string all;
     for (const std::string& example : sections[std::string(command.of)].examples) all += example;
     for (const std::string_view key : command.keys)
-      EXPECT_THAT(all, testing::HasSubstr(std::string(key) + ":")) << command.of;
+      EXPECT_THAT(all, ::testing::HasSubstr(std::string(key) + ":")) << command.of;
   }
 }
 
