@@ -1,4 +1,4 @@
-# hexagait_module(NAME  COMPONENT … SOURCES … [COLD] [TESTS …] [TESTS_ALONE …] [TEST_LIBRARIES …] [PUBLIC …]
+# hexagait_module(NAME  COMPONENT … SOURCES … [COLD] [TESTS …] [TEST_LIBRARIES …] [PUBLIC …]
 #                 [PRIVATE …])
 #
 # A room: a library target hexagait::NAME with its tests. Headers, sources and tests lie side by side

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/footstep_gen/generator.hpp>
 #include <limits>
@@ -154,6 +155,19 @@ TEST(BaseCommand, GivesALostMarginBack) {
                   stance.executor, stance.state.X_OB, {}, round_step())
             .correction.v;
     EXPECT_LT((back - Vector2(std::max(0.0, 0.03 - inside), 0.0)).norm(), 1e-9) << inside;
+  }
+}
+
+// (base 3) From an edge on, and less far the nearer to it.
+TEST(BaseCommand, LowersTheBodyTowardsAFootOnlyAsTheCentreOfMassIsInside) {
+  StandingRobot stance;
+  stance.lift({4, 5});
+  for (const double inside : {-0.01, 0.0, 0.03, 0.06, 0.1}) {
+    stance.robot.p_BM = {inside, 0.0, 0.0};
+    const double share = base_auto(stance.robot, stance.arc(Heading::straight(0.0)),
+                                   stance.executor, stance.state.X_OB, {}, round_step())
+                             .lowering;
+    EXPECT_NEAR(share, std::clamp(inside / 0.06, 0.0, 1.0), 1e-9) << inside;
   }
 }
 

@@ -131,6 +131,14 @@ double stability_left(const SupportEdges& polygon, double margin, double sense) 
   return times_inside(polygon, sense * polygon.along, margin);
 }
 
+// (base 3). The body tilts towards a foot that searches, and takes the centre of mass with it.
+double lowering_within(const SupportEdges& polygon, double margin) {
+  constexpr double kMargins = 2.0;
+  if (!polygon.has_inside() || !(margin > 0.0)) return 1.0;
+  const double distance = std::ranges::min(polygon.edges, {}, &Edge::distance).distance;
+  return std::clamp(distance / (kMargins * margin), 0.0, 1.0);
+}
+
 // Displacement in the body frame that gives a centre of mass its margin back, where it has lost it:
 // braking, or because the feet under it are others now [m].
 Vector2 back_over_the_feet(const SupportEdges& polygon, const Matrix3& R_OB, double margin) {
@@ -302,6 +310,7 @@ BaseAutoCommand base_auto(const RobotModel& model, const PathArc& arc, const Exe
   const PlanarTwist off = off_path(executor.base(), arc.per_metre, limits.base.outer_radius);
   base.max_braking = braking_within(polygon, X_OB.R, off.v,
                                     kBrakingMargin * params.stability_margin, limits.gravity);
+  base.lowering = lowering_within(polygon, params.stability_margin);
   base.max_advance = ahead;
   base.min_advance = -back;
   base.correction = {share * correction.v + back_in, share * correction.w};

@@ -167,6 +167,7 @@ void Walker::start(const Measurement& measurement) {
   record_.arc = arc_of(record_.heading);
   record_.rear_edge = rear_edge(record_.arc, gait_state::hindmost_edge(model_->num_legs()));
   spread_ = unknown_spread(params_.step);
+  felt_spread_ = 0.0;
 }
 
 bool Walker::healthy(PlantStatus status, const Measurement& measurement) noexcept {
@@ -216,7 +217,9 @@ void Walker::feel_roughness() noexcept {
   print_spread_ = height_spread(record_.state.print_O);
   const PlanarTwist& V = record_.base.planar;
   const double speed = V.v.norm() + params_.executor.base.outer_radius * std::abs(V.w);
-  spread_ = remembered_spread(spread_, print_spread_, speed * params_.control_dt, params_.step);
+  const double way = speed * params_.control_dt;
+  spread_ = remembered_spread(spread_, print_spread_, way, params_.step);
+  felt_spread_ = remembered_spread(felt_spread_, print_spread_, way, params_.step);
   const bool may_change = params_.stepper.stepping == gait_state::Stepping::free && !crawls() &&
                           lost_legs().empty() && !model_->legs[0].has_two_joints();
   record_.very_rough = may_change && very_rough(spread_, params_.step);

@@ -181,7 +181,8 @@ class Walker {
   StepsBeside beside_;
   PrintPlane print_plane_;     ///< of the last footprints, where holes are known
   double print_spread_ = 0.0;  ///< of the last footprints in height [m]
-  double spread_ = 0.0;        ///< of the ground of late [m]
+  double felt_spread_ = 0.0;   ///< of the ground of late, as far as feet have stood on it [m]
+  double spread_ = 0.0;        ///< of the ground of late; rough before the first steps [m]
   long catches_until_ = 0;     ///< tick until which it may have to catch itself
   long ticks_ = 0;             ///< number of control periods, late ones too
   TickRecord record_;

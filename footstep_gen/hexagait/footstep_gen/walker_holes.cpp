@@ -64,7 +64,7 @@ void Walker::learn_holes() noexcept {
 void Walker::keep_clear_of_holes(FootstepCommand& step, double to_come) const noexcept {
   SearchDepth& depth = step.depth;
   depth.at_end = params_.step.max_height;
-  depth.edge = edge_depth(spread_, model_->foot_radius);
+  depth.edge = edge_depth(felt_spread_, model_->foot_radius);
   depth.edge_end = model_->foot_radius;
   depth.presses = params_.sensors.joint_feedback && depth.edge < SearchDepth::kNever;
   if (holes_.empty()) return;

@@ -49,6 +49,30 @@ Crossing cross(std::uint64_t seed, double (*ground)(const Vector2&) = ditch) {
   return crossing;
 }
 
+// (step 11) The first steps are as high as over rough ground, but edges are felt from the first one on, unless the feet
+// stand on uneven ground already.
+TEST(WalkerOverHoles, FeelsEdgesFromTheFirstStepOn) {
+  const RobotModel argos = load_urdf(hexagait::testing::source_path("robots/argos.urdf"));
+  for (const double raised : {0.0, 1.5 * argos.foot_radius}) {  // leg LF [m]
+    Walker walker(argos);
+    testing::KinematicPlant plant(argos, 0.0, {.seed = 1});
+    plant.measurement.q[0] =
+        inverse_kinematics(argos.legs[0], argos.legs[0].p_BC + Vector3(0.0, 0.0, raised)).q;
+    walker.start(plant.measurement);
+    const TickRecord* record = &walker.record();
+    for (int k = 0; k < 200 && record->lifts.empty(); ++k)
+      record = &walker.tick(PlantStatus::fresh, plant.measurement,
+                            heading_control::Heading::straight(0.0));
+    ASSERT_FALSE(record->lifts.empty());
+    for (LegId i = 0; i < argos.num_legs(); ++i) {
+      if (!record->lifts.contains(i)) continue;
+      EXPECT_GE(record->footsteps[i].profile_height, walker.params().step.height);
+      EXPECT_EQ(record->footsteps[i].depth.edge,
+                raised > 0.0 ? SearchDepth::kNever : edge_depth(0.0, argos.foot_radius));
+    }
+  }
+}
+
 // The body comes along while a foot is in the air: it may step farther than its workspace reaches at the lift.
 TEST(WalkerOverHoles, StepsAsFarAsTheWorkspaceWillBeWhenTheFootLands) {
   int over = 0;

@@ -47,12 +47,13 @@ struct FootstepCommand {
 
 /// The input of a pose adaptation.
 struct PoseAdaptationInput {
-  LegArray<Vector3> p_BF;          ///< set points of the feet, body frame [m]
-  LegArray<Vector3> p_BC;          ///< workspace centres, body frame [m]
-  LegArray<Vector3> footprint_BF;  ///< last measured footprint of each foot, body frame [m]
-  LegSet support;                  ///< legs that carry the body
-  LegSet lost = {};                ///< legs that count for nothing; p_BF is at their centre
-  LegSet blocked = {};             ///< legs in the air that have met an obstacle in this step
+  LegArray<Vector3> p_BF;  ///< set points of the feet, body frame [m]
+  LegArray<Vector3> p_BC;  ///< workspace centres, body frame [m]
+  /// Last measured footprint of each foot, body frame [m]; lower by BaseAutoCommand::lowering where it searches below.
+  LegArray<Vector3> footprint_BF;
+  LegSet support;       ///< legs that carry the body
+  LegSet lost = {};     ///< legs that count for nothing; p_BF is at their centre
+  LegSet blocked = {};  ///< legs in the air that have met an obstacle in this step
 };
 
 /// The desired displacement of the base: the result of a pose adaptation.
@@ -84,6 +85,9 @@ struct BaseAutoCommand {
   /// Deceleration that the support polygon allows to motion away from the path [m/s²]. 0: what
   /// BaseParams::acceleration allows.
   double max_braking = 0.0;
+  /// Share of the depth that a foot has searched below its last footprint by which it counts as lower there, so that the
+  /// body comes down towards it; 0 … 1.
+  double lowering = 1.0;
 };
 
 }  // namespace hexagait

@@ -297,8 +297,9 @@ PoseAdaptationInput Executor::pose_adaptation_input(const RobotState& state) con
     input.footprint_BF[i] = X_BO * state.print_O[i];
     input.blocked.set(i, legs_[i].retreats > 0 && !legs_[i].on_ground() && !lost_.contains(i));
     // A foot below its last footprint still has no ground: lower the body towards it.
-    if (legs_[i].phase == LegPhase::descend)
-      input.footprint_BF[i].z() = std::min(input.footprint_BF[i].z(), legs_[i].p_BF.z());
+    const double deeper = input.footprint_BF[i].z() - legs_[i].p_BF.z();
+    if (legs_[i].phase == LegPhase::descend && deeper > 0.0)
+      input.footprint_BF[i].z() -= base_command_.lowering * deeper;
   }
   return input;
 }
