@@ -3,9 +3,8 @@
 #include <benchmark/benchmark.h>
 
 #include <hexagait/footstep_gen/walker.hpp>
-#include <hexagait/urdf/urdf.hpp>
+#include <testing/argos.hpp>
 #include <testing/kinematic_plant.hpp>
-#include <testing/source_path.hpp>
 #include <vector>
 
 // The whole controller, walking. Its answers move the kinematic plant, so measurements are recorded
@@ -53,7 +52,7 @@ void play(benchmark::State& state, const RobotModel& robot, const Heading& headi
   state.counters["joints"] = 3.0 * robot.num_legs();
 }
 
-RobotModel argos() { return load_urdf(hexagait::testing::source_path("robots/argos.urdf")); }
+using hexagait::testing::argos;
 
 void controller_tick_straight(benchmark::State& state) {
   play(state, argos(), Heading::straight(0.0));

@@ -6,9 +6,8 @@
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/posture/arc_optimum.hpp>
 #include <hexagait/posture/plane_fit.hpp>
-#include <hexagait/urdf/urdf.hpp>
+#include <testing/argos.hpp>
 #include <testing/kinematic_plant.hpp>
-#include <testing/source_path.hpp>
 
 // The stages of a tick by themselves, on the state of a walk three seconds old: a tripod in the
 // air.
@@ -19,7 +18,7 @@ namespace {
 using heading_control::Heading;
 
 struct Snapshot {
-  RobotModel robot = load_urdf(hexagait::testing::source_path("robots/argos.urdf"));
+  RobotModel robot = hexagait::testing::argos();
   Heading heading = Heading::arc(0.8, 0.3);
   Walker walker{robot};
   Executor executor{robot, {}};

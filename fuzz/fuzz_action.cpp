@@ -5,8 +5,7 @@
 #include <cstdlib>
 #include <hexagait/load/load_action.hpp>
 #include <hexagait/text/invalid_input.hpp>
-#include <hexagait/urdf/urdf.hpp>
-#include <testing/source_path.hpp>
+#include <testing/argos.hpp>
 
 #include "played.hpp"
 
@@ -36,7 +35,7 @@ bool is_sound(const action::Action& action, const RobotModel& model) {
 // Whatever the bytes: an action that is sound, or InvalidInput with a message.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace hexagait;
-  static const RobotModel model = load_urdf(testing::source_path("robots/argos.urdf"));
+  static const RobotModel& model = testing::argos();
   static const action::ActionVocabulary vocabulary = [] {
     action::ActionVocabulary words;
     words.frames.add("door");

@@ -6,9 +6,8 @@
 #include <cstdlib>
 #include <hexagait/params/params_for.hpp>
 #include <hexagait/text/invalid_input.hpp>
-#include <hexagait/urdf/urdf.hpp>
 #include <hexagait/walk/paths/path_file.hpp>
-#include <testing/source_path.hpp>
+#include <testing/argos.hpp>
 
 namespace hexagait {
 namespace {
@@ -31,7 +30,7 @@ bool is_sound(const path_following::Path& path) {
 // Whatever the bytes: a path that a robot can follow, or InvalidInput with a message.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace hexagait;
-  static const RobotModel model = load_urdf(testing::source_path("robots/argos.urdf"));
+  static const RobotModel& model = testing::argos();
   static const StepParams step = params_for(model).step;
   try {
     const std::string text(reinterpret_cast<const char*>(data), size);

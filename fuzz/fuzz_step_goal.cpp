@@ -5,15 +5,14 @@
 #include <cstdlib>
 #include <hexagait/load/load_step_goal.hpp>
 #include <hexagait/text/invalid_input.hpp>
-#include <hexagait/urdf/urdf.hpp>
-#include <testing/source_path.hpp>
+#include <testing/argos.hpp>
 
 #include "played.hpp"
 
 // Whatever the bytes: a goal with a number for each of its steps, or InvalidInput with a message.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace hexagait;
-  static const RobotModel model = load_urdf(testing::source_path("robots/argos.urdf"));
+  static const RobotModel& model = testing::argos();
   try {
     const std::string text(reinterpret_cast<const char*>(data), size);
     const action::StepGoal goal = action::parse_step_goal(text, "fuzz.yaml", model);

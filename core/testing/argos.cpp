@@ -11,4 +11,10 @@ const RobotModel& argos() {
   return model;
 }
 
+RobotModel argos(double foot_radius) {
+  RobotModel model = argos();
+  model.foot_radius = foot_radius;
+  return model;
+}
+
 }  // namespace hexagait::testing

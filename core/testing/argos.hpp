@@ -9,4 +9,7 @@ namespace hexagait::testing {
 /// The robot of most tests, robots/argos.urdf, loaded once in a program.
 [[nodiscard]] const RobotModel& argos();
 
+/// @param foot_radius  in place of its own; 0: feet are points [m]
+[[nodiscard]] RobotModel argos(double foot_radius);
+
 }  // namespace hexagait::testing

@@ -5,10 +5,9 @@
 #include <cmath>
 #include <hexagait/footstep_gen/walker.hpp>
 #include <hexagait/gait_state/ring.hpp>
-#include <hexagait/urdf/urdf.hpp>
+#include <testing/argos.hpp>
 #include <testing/control_period.hpp>
 #include <testing/kinematic_plant.hpp>
-#include <testing/source_path.hpp>
 #include <vector>
 
 // Which gait the walker walks: free, wave by duty factor, waiting tripod, and the readings of
@@ -205,7 +204,7 @@ TEST(WaveGait, StarvesNoLegHoweverTheDutyFactorAndTheHeadingChange) {
 // leg that stands for a little more than β P, because it waited for a neighbour, sweeps as much
 // more.
 TEST(WaveGait, SweepsTheStrokeAtEveryDutyFactor) {
-  const RobotModel model = load_urdf(hexagait::testing::source_path("robots/argos.urdf"));
+  const RobotModel model = hexagait::testing::argos();
   for (const double duty_factor : {0.5, 0.6, 0.625, 0.75, 5.0 / 6.0}) {
     Walk walk(model, params_of(Stepping::wave, duty_factor));
     walk.walk(Heading::straight(0.0), 30.0);
@@ -279,7 +278,7 @@ TEST(TripodGait, StandsWhenToldTo) {
 // The trap of docs/theory.md 1, in the whole controller: the paper's adjustment taken literally
 // lets the same legs step at every tick, so that nothing ever differs; the latch does better.
 TEST(Readings, ThePapersWordsTakenLiterallyWalkToTheLastBitAsWithoutAdjustment) {
-  const RobotModel model = load_urdf(hexagait::testing::source_path("robots/argos.urdf"));
+  const RobotModel model = hexagait::testing::argos();
   int differs = 0;
   for (std::uint32_t trial = 0; trial < 8; ++trial) {
     Walk literal(model, params_of(Stepping::free, 0.5, Adjustment::literal), trial);

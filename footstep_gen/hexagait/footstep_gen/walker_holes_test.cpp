@@ -4,9 +4,8 @@
 
 #include <cmath>
 #include <hexagait/footstep_gen/walker.hpp>
-#include <hexagait/urdf/urdf.hpp>
+#include <testing/argos.hpp>
 #include <testing/kinematic_plant.hpp>
-#include <testing/source_path.hpp>
 
 namespace hexagait::footstep_gen::walker_holes_test {
 namespace {
@@ -31,7 +30,7 @@ double stones(const Vector2& p_O) {
 }
 
 Crossing cross(std::uint64_t seed, double (*ground)(const Vector2&) = ditch) {
-  const RobotModel argos = load_urdf(hexagait::testing::source_path("robots/argos.urdf"));
+  const RobotModel argos = hexagait::testing::argos();
   WalkerParams params;
   params.control_dt = kDt;
   Walker walker(argos, params);
@@ -52,7 +51,7 @@ Crossing cross(std::uint64_t seed, double (*ground)(const Vector2&) = ditch) {
 // (step 11) The first steps are as high as over rough ground, but edges are felt from the first one on, unless the feet
 // stand on uneven ground already.
 TEST(WalkerOverHoles, FeelsEdgesFromTheFirstStepOn) {
-  const RobotModel argos = load_urdf(hexagait::testing::source_path("robots/argos.urdf"));
+  const RobotModel argos = hexagait::testing::argos();
   for (const double raised : {0.0, 1.5 * argos.foot_radius}) {  // leg LF [m]
     Walker walker(argos);
     testing::KinematicPlant plant(argos, 0.0, {.seed = 1});

@@ -6,16 +6,12 @@
 #include <hexagait/script/action_runner.hpp>
 #include <hexagait/script/preview.hpp>
 #include <hexagait/sim/random.hpp>
-#include <hexagait/urdf/urdf.hpp>
-#include <testing/source_path.hpp>
+#include <testing/argos.hpp>
 
 namespace hexagait::posture {
 namespace {
 
-const RobotModel& argos() {
-  static const RobotModel model = load_urdf(hexagait::testing::source_path("robots/argos.urdf"));
-  return model;
-}
+using hexagait::testing::argos;
 
 /// The nominal stance at a height, under a base at X_OB.
 StanceProblem nominal(const Pose& X_OB, double height) {

@@ -5,9 +5,8 @@
 
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/sim3d/world.hpp>
-#include <hexagait/urdf/urdf.hpp>
+#include <testing/argos.hpp>
 #include <testing/counted_allocations.hpp>
-#include <testing/source_path.hpp>
 
 namespace hexagait::sim3d {
 namespace {
@@ -16,7 +15,7 @@ namespace {
 using hexagait::testing::allocations;
 
 TEST(World, AllocatesNothingOnceItHasMadeItsFirstContacts) {
-  const RobotModel robot = load_urdf(testing::source_path("robots/argos.urdf"));
+  const RobotModel robot = testing::argos();
   LegArray<LegJoints> q(6, LegJoints::Zero());
   for (LegId leg = 0; leg < 6; ++leg) {
     q[leg] = inverse_kinematics(robot.legs[leg], robot.legs[leg].p_BC).q;

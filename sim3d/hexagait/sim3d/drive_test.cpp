@@ -6,9 +6,8 @@
 #include <cmath>
 #include <hexagait/sim3d/world.hpp>
 #include <hexagait/text/invalid_input.hpp>
-#include <hexagait/urdf/urdf.hpp>
+#include <testing/argos.hpp>
 #include <testing/round_params.hpp>
-#include <testing/source_path.hpp>
 
 // Argos on a test stand, its legs straight out: what is not ideal about its drives and links.
 namespace hexagait::sim3d {
@@ -52,7 +51,7 @@ class Drive : public ::testing::Test {
     return most;
   }
 
-  RobotModel robot_ = load_urdf(testing::source_path("robots/argos.urdf"));
+  RobotModel robot_ = testing::argos();
   WorldParams params_ = hexagait::testing::round_world<WorldParams>();
 };
 

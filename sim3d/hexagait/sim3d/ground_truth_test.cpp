@@ -4,9 +4,8 @@
 
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/sim3d/world.hpp>
-#include <hexagait/urdf/urdf.hpp>
+#include <testing/argos.hpp>
 #include <testing/round_params.hpp>
-#include <testing/source_path.hpp>
 
 namespace hexagait::sim3d::ground_truth_test {
 namespace {
@@ -37,7 +36,7 @@ class Referee : public ::testing::Test {
     }
   }
 
-  RobotModel robot_ = load_urdf(testing::source_path("robots/argos.urdf"));
+  RobotModel robot_ = testing::argos();
   WorldParams params_ = hexagait::testing::round_world<WorldParams>();
 };
 

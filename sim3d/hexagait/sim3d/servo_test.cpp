@@ -5,9 +5,8 @@
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/sim/random.hpp>
 #include <hexagait/sim3d/world.hpp>
-#include <hexagait/urdf/urdf.hpp>
+#include <testing/argos.hpp>
 #include <testing/round_params.hpp>
-#include <testing/source_path.hpp>
 
 // Argos on a test stand, its legs free in the air: closed forms of the joint servos.
 
@@ -49,7 +48,7 @@ class ServoOnStand : public ::testing::Test {
     return torque;
   }
 
-  RobotModel robot_ = load_urdf(testing::source_path("robots/argos.urdf"));
+  RobotModel robot_ = testing::argos();
   WorldParams params_ = hexagait::testing::round_world<WorldParams>();
 };
 

@@ -4,9 +4,8 @@
 
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/sim3d/world.hpp>
-#include <hexagait/urdf/urdf.hpp>
+#include <testing/argos.hpp>
 #include <testing/round_params.hpp>
-#include <testing/source_path.hpp>
 
 namespace hexagait::sim3d::soft_ground_test {
 namespace {
@@ -25,7 +24,7 @@ class SoftGround : public ::testing::TestWithParam<const char*> {
     return world.truth();
   }
 
-  RobotModel robot_ = load_urdf(testing::source_path("robots/argos.urdf"));
+  RobotModel robot_ = testing::argos();
 };
 
 // At rest the damper has no force: each foot is F/K deep, and the forces carry the weight. The ground is

@@ -8,20 +8,16 @@
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/sim3d/world.hpp>
 #include <hexagait/text/invalid_input.hpp>
-#include <hexagait/urdf/urdf.hpp>
 #include <limits>
 #include <numeric>
+#include <testing/argos.hpp>
 #include <testing/round_params.hpp>
-#include <testing/source_path.hpp>
 #include <thread>
 
 namespace hexagait::sim3d {
 namespace {
 
-const RobotModel& argos() {
-  static const RobotModel robot = load_urdf(testing::source_path("robots/argos.urdf"));
-  return robot;
-}
+using testing::argos;
 
 LegArray<LegJoints> everywhere(const LegJoints& q) { return LegArray<LegJoints>(6, q); }
 

@@ -8,8 +8,7 @@
 
 #include <hexagait/sweep/detail/made_directory.hpp>
 #include <hexagait/sweep/detail/scratch_sweep.hpp>
-#include <hexagait/urdf/urdf.hpp>
-#include <testing/source_path.hpp>
+#include <testing/argos.hpp>
 #include <thread>
 
 namespace hexagait::sweep {
@@ -47,8 +46,7 @@ TEST_F(Running, GivesTheSameBytesInPhysics) {
     sweep.controllers = {*gait_state::parse_gait_choice("free"),
                          *gait_state::parse_gait_choice("wave:0.75")};
     sweep.robots.push_back({.name = "argos", .model = {}});
-    if (engine == Engine::ode)
-      sweep.robots[0].model = load_urdf(testing::source_path("robots/argos.urdf"));
+    if (engine == Engine::ode) sweep.robots[0].model = testing::argos();
     sweep.terrains = {ground(engine, rough_terrains(engine).front() + ":0.05")};
     sweep.num_seeds = 2;
     sweep.limits.seconds = 1.0;

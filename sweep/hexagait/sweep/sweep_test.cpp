@@ -5,8 +5,8 @@
 #include <hexagait/sweep/detail/header.hpp>
 #include <hexagait/sweep/detail/scratch_sweep.hpp>
 #include <hexagait/text/invalid_input.hpp>
-#include <hexagait/urdf/urdf.hpp>
 #include <set>
+#include <testing/argos.hpp>
 #include <testing/source_path.hpp>
 
 namespace hexagait::sweep {
@@ -16,7 +16,7 @@ using Grid = ScratchSweep;
 
 // At the edge of an abyss no leg finds ground.
 TEST(Row, OfARobotThatIsStuckSaysForWhichLegItWaits) {
-  const RobotModel robot = load_urdf(testing::source_path("robots/argos.urdf"));
+  const RobotModel robot = testing::argos();
   TrialConfig config;
   config.engine = Engine::ode;
   config.controller = *gait_state::parse_gait_choice("free");

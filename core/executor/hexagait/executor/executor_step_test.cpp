@@ -5,28 +5,22 @@
 #include <algorithm>
 #include <array>
 #include <hexagait/executor/executor.hpp>
-#include <hexagait/urdf/urdf.hpp>
+#include <testing/argos.hpp>
 #include <testing/executor_scene.hpp>
-#include <testing/source_path.hpp>
 
 // Steps of a robot that does exactly what the executor wants.
 
 namespace hexagait::executor_step_test {
 namespace {
 
+using testing::argos;
 using testing::kDt;
 using testing::Scene;
-
-RobotModel argos() {
-  RobotModel model = load_urdf(testing::source_path("robots/argos.urdf"));
-  model.foot_radius = 0.0;
-  return model;
-}
 
 // (executor 3) With joints of a quarter of the speed that the step asks for: the set point waits for them, on
 // its way, so that nothing seems to block the foot.
 TEST(Executor, SlowsAStepDownToWhatItsJointsCanDo) {
-  RobotModel model = argos();
+  RobotModel model = argos(0.0);
   for (LegModel& leg : model.legs)
     for (JointLimits& limits : leg.limits) limits.velocity = 1.0;
   Scene scene(model);
@@ -53,7 +47,7 @@ TEST(Executor, SlowsAStepDownToWhatItsJointsCanDo) {
 // A foot whose joints are too slow for it, and whose target comes nearer while it descends: how far it passes it is a
 // matter of the joints, not of the period.
 TEST(Executor, BrakesAFootThatItsJointsHoldBackAtAnyPeriod) {
-  const RobotModel robot = argos();
+  const RobotModel robot = argos(0.0);
   constexpr LegId kLeg = 2;
   const auto passed = [&robot](double dt) {
     Scene scene(robot);
@@ -82,7 +76,7 @@ TEST(Executor, BrakesAFootThatItsJointsHoldBackAtAnyPeriod) {
 
 // (swing 7) A tripod is in the air, and one of its legs is told to go back: the others wait for it, and all land together.
 TEST(Executor, TurnsTheLegsOfATripodInOneTime) {
-  const RobotModel robot = argos();
+  const RobotModel robot = argos(0.0);
   static constexpr LegId kTripod[] = {0, 3, 4};
   const auto landings = [&robot](bool turns) {
     Scene scene(robot);
@@ -110,7 +104,7 @@ TEST(Executor, TurnsTheLegsOfATripodInOneTime) {
 
 // A foot that finds no ground counts as lower than its last footprint, by a share of how deep it has come.
 TEST(Executor, LowersTheBodyTowardsAFootThatSearchesByTheShareThatIsAllowed) {
-  const RobotModel robot = argos();
+  const RobotModel robot = argos(0.0);
   constexpr LegId kLeg = 2;
   for (const double share : {0.0, 0.25, 1.0}) {
     static LegArray<Vector3> footprint;

@@ -6,20 +6,16 @@
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/sim/random.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <testing/argos.hpp>
 #include <testing/executor_scene.hpp>
 #include <testing/source_path.hpp>
 
 namespace hexagait::executor_test {
 namespace {
 
+using testing::argos;
 using testing::kDt;
 using testing::Scene;
-
-RobotModel argos(double foot_radius = 0.0) {
-  RobotModel model = load_urdf(testing::source_path("robots/argos.urdf"));
-  model.foot_radius = foot_radius;
-  return model;
-}
 
 /// Pose adaptations that want something always: the executor has to obey, not to understand.
 BaseAutoCommand restless(const PlanarTwist& path, int kind) {
@@ -45,7 +41,7 @@ PlanarTwist random_path(RandomSequence& random) {
 
 // At the start, and with the first tick: nothing to confirm, nothing in the air.
 TEST(Executor, StandsOnAllFeetFromTheReset) {
-  const RobotModel model = argos();
+  const RobotModel model = argos(0.0);
   Scene scene(model);
   EXPECT_EQ(scene.executor.support(), LegSet::all(6));
   scene.tick();
@@ -54,7 +50,7 @@ TEST(Executor, StandsOnAllFeetFromTheReset) {
 
 // (executor 1) is a rigid motion, cut after the second order: |V dt|³/6 < 1e-9 m a tick.
 TEST(Executor, KeepsTheDistancesOfStandingFeetUnderAnyBaseMotion) {
-  const RobotModel model = argos();
+  const RobotModel model = argos(0.0);
   RandomSequence random{.seed = 5};
   for (int trial = 0; trial < 20; ++trial) {
     Scene scene(model);
@@ -74,7 +70,7 @@ TEST(Executor, KeepsTheDistancesOfStandingFeetUnderAnyBaseMotion) {
 // p_BF(t) = X_BO(t) p_O: under a body that moves by its own twist V, exactly integrated, the feet
 // stand still in odom. (The other sign moves them twice.)
 TEST(Executor, LeavesStandingFeetWhereTheyAreWhileTheBaseMoves) {
-  const RobotModel model = argos();
+  const RobotModel model = argos(0.0);
   RandomSequence random{.seed = 6};
   for (int trial = 0; trial < 20; ++trial) {
     Scene scene(model);
@@ -117,7 +113,7 @@ TEST(Executor, RollsSphericalFeetWithTheirTibias) {
 // Power: feet that press down on the ground with the weight W while the body rises at v do the work
 // W v: Σ τ · q̇ = W v. Standing level on point feet, no leg is at rest then.
 TEST(Executor, FeedsForwardTheEffortsThatLiftTheBody) {
-  const RobotModel model = argos();
+  const RobotModel model = argos(0.0);
   Scene scene(model);
   BaseAutoCommand up;
   up.adaptation = [](const BaseAutoCommand&, const PoseAdaptationInput&) {
@@ -135,7 +131,7 @@ TEST(Executor, FeedsForwardTheEffortsThatLiftTheBody) {
 
 // Each leg by itself: δW = τ · δq must be −F δz of the foot for every joint, with one F > 0.
 TEST(Executor, GivesEachLegTheEffortsOfOneVerticalForce) {
-  const RobotModel model = argos();
+  const RobotModel model = argos(0.0);
   Scene scene(model);
   scene.tick();
   double weight = 0.0;
@@ -199,7 +195,7 @@ void expect_speed_limits(const RobotModel& model, std::uint32_t trials) {
   }
 }
 
-TEST(Executor, NeverMovesAJointTargetFasterThanItsLimit) { expect_speed_limits(argos(), 20); }
+TEST(Executor, NeverMovesAJointTargetFasterThanItsLimit) { expect_speed_limits(argos(0.0), 20); }
 
 TEST(Executor, NeverMovesAnyOfFourJointsFasterThanItsLimit) {
   expect_speed_limits(load_urdf(testing::source_path("robots/hexapod_4dof.urdf")), 3);
@@ -251,7 +247,7 @@ TEST(ExecutorHold, StopsTheBaseAndKeepsTheSetPointsOfStandingFeet) {
 }
 
 TEST(ExecutorHold, LeavesNoSpeedToAFootInTheAir) {
-  const RobotModel model = argos();
+  const RobotModel model = argos(0.0);
   Scene scene(model);
   scene.executor.command(
       FootstepCommand{2, scene.state.X_OB * (model.legs[2].p_BC + Vector3(0.1, 0, 0)), 0.1},
@@ -266,7 +262,7 @@ TEST(ExecutorHold, LeavesNoSpeedToAFootInTheAir) {
 
 // Load weighs the trust of odometry: none in the air, none without contact.
 TEST(Executor, TellsOdometryHowFarToTrustEachFoot) {
-  const RobotModel model = argos();
+  const RobotModel model = argos(0.0);
   Scene scene(model);
   scene.executor.command(FootstepCommand{2, scene.state.p_OF[2]}, scene.state);
   for (int tick = 0; tick < 10; ++tick) scene.tick();
@@ -283,7 +279,7 @@ TEST(Executor, TellsOdometryHowFarToTrustEachFoot) {
 
 // Only of a foot that stands: one on its way may move as it likes.
 TEST(Executor, IsUnsureOfAFootholdThatGivesWay) {
-  const RobotModel model = argos();
+  const RobotModel model = argos(0.0);
   Scene scene(model);
   scene.state.slide_O = LegArray<Vector3>(6, Vector3::Zero());
   scene.executor.command(FootstepCommand{2, scene.state.p_OF[2]}, scene.state);
@@ -297,7 +293,7 @@ TEST(Executor, IsUnsureOfAFootholdThatGivesWay) {
 
 // A foot that has bounced may bounce again: no neighbour lifts until its contact has lasted. A robot that is put down stands.
 TEST(Executor, IsUnsureOfAFootThatHasJustTouchedAgain) {
-  const RobotModel model = argos();
+  const RobotModel model = argos(0.0);
   Scene scene(model);
   EXPECT_TRUE(scene.executor.unsure().empty());
   const auto sensed = [&scene](bool contact) {
@@ -314,7 +310,7 @@ TEST(Executor, IsUnsureOfAFootThatHasJustTouchedAgain) {
 // A foothold a metre away, and an apex of a metre: the set point ends where the leg does, is where
 // the joints are, and comes back at once when the next command is within reach.
 TEST(Executor, NeverWindsASetPointUpBeyondTheLegsReach) {
-  const RobotModel robot = argos();
+  const RobotModel robot = argos(0.0);
   for (const double height : {0.1, 1.0}) {
     Scene scene(robot);
     const Vector3 start = scene.state.p_OF[0];
@@ -333,7 +329,7 @@ TEST(Executor, NeverWindsASetPointUpBeyondTheLegsReach) {
 // A body that is asked to go on for ever: it stops where its standing legs end, and does not drag
 // them. Asked to come back it does.
 TEST(Executor, StopsTheBaseWhereAStandingLegEnds) {
-  const RobotModel robot = argos();
+  const RobotModel robot = argos(0.0);
   for (const Vector2& way : {Vector2(1.0, 0.0), Vector2(0.0, 1.0), Vector2(-0.6, 0.8)}) {
     Scene scene(robot);
     BaseAutoCommand base = restless({way, 0.0}, 0);

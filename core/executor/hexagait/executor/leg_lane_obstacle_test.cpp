@@ -18,10 +18,7 @@ using testing::planar_distance;
 using testing::Swing;
 
 /// A wall across the way, 10 cm from the start and 12 cm high.
-bool touches_wall(const Vector3& p_OF) {
-  const bool beyond = (p_OF - kStart).dot((kTarget - kStart) / kStride) > 0.1;
-  return p_OF.z() <= (beyond ? 0.12 : 0.0);
-}
+bool touches_wall(const Vector3& p_OF) { return p_OF.z() <= (ahead(p_OF) > 0.1 ? 0.12 : 0.0); }
 
 // [FG16]: what hits something goes back and up, and tries again higher: over a wall 2 cm higher
 // than its first apex it gets at the second try, apex 15 cm.
@@ -134,9 +131,7 @@ TEST(Swing, TriesAgainWithoutHaste) {
 // comes down before the wall. 0.35 · 0.6³ = 0.076 m.
 TEST(Swing, GivesWayToAWallWithoutEnd) {
   Swing swing;
-  swing.touches = [](const Vector3& p_OF) {
-    return p_OF.z() <= 0.0 || (p_OF - kStart).dot((kTarget - kStart) / kStride) > 0.1;
-  };
+  swing.touches = [](const Vector3& p_OF) { return p_OF.z() <= 0.0 || ahead(p_OF) > 0.1; };
   swing.command(kTarget);
   for (int k = 0; k < 5000 && (k < 1 || swing.lane.phase != LegPhase::support); ++k) swing.tick();
   ASSERT_EQ(swing.lane.phase, LegPhase::support);

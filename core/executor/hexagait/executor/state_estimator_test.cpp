@@ -5,15 +5,14 @@
 #include <hexagait/executor/state_estimator.hpp>
 #include <hexagait/script/preview.hpp>
 #include <hexagait/text/invalid_input.hpp>
-#include <hexagait/urdf/urdf.hpp>
 #include <limits>
-#include <testing/source_path.hpp>
+#include <testing/argos.hpp>
 
 namespace hexagait::state_estimator_test {
 namespace {
 
 struct Scene {
-  RobotModel model = load_urdf(testing::source_path("robots/argos.urdf"));
+  RobotModel model = testing::argos();
   Measurement measurement{3.0, nominal_joints(model), LegArray<bool>(6, false)};
   Executor executor{model, {}};
 };

@@ -6,15 +6,15 @@
 #include <hexagait/model/leg_weight.hpp>
 #include <hexagait/sim/random.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <testing/argos.hpp>
 #include <testing/source_path.hpp>
 
 namespace hexagait {
 namespace {
 
 const RobotModel& robot(const std::string& name) {
-  static const RobotModel argos = load_urdf(testing::source_path("robots/argos.urdf"));
   static const RobotModel quadruped = load_urdf(testing::source_path("robots/quadruped.urdf"));
-  return name == "argos" ? argos : quadruped;
+  return name == "argos" ? testing::argos() : quadruped;
 }
 
 // Σ m p of a leg's links, by link_pose().

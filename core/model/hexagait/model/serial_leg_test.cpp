@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <hexagait/model/kinematics.hpp>
-#include <hexagait/urdf/urdf.hpp>
+#include <testing/argos.hpp>
 #include <testing/counted_allocations.hpp>
 #include <testing/random_leg.hpp>
-#include <testing/source_path.hpp>
 
 namespace hexagait {
 namespace {
@@ -198,7 +197,7 @@ TEST_P(SerialLeg, DoesNotAllocate) {
 /// The legs of argos, and the same legs as if they were just serial.
 class SerialArgos : public ::testing::TestWithParam<int> {
  protected:
-  const LegModel leg_ = load_urdf(testing::source_path("robots/argos.urdf")).legs[GetParam()];
+  const LegModel leg_ = testing::argos().legs[GetParam()];
   const LegModel serial_ = [this] {
     LegModel leg = leg_;
     leg.kind = LegKind::serial;

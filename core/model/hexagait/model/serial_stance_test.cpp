@@ -8,6 +8,7 @@
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/model/serial_stance.hpp>
 #include <hexagait/urdf/urdf.hpp>
+#include <testing/argos.hpp>
 #include <testing/random_leg.hpp>
 #include <testing/source_path.hpp>
 
@@ -34,7 +35,7 @@ TEST(HexapodOfFourJoints, StandsLikeArgos) {
   EXPECT_EQ(names_of(hexapod()), "LF RF LM RM LR RR ");
   EXPECT_NEAR(hexapod().mass, 50.0, 1e-12);
   EXPECT_LT(hexapod().p_BM.head<2>().norm(), 1e-6);
-  const RobotModel argos = load_urdf(testing::source_path("robots/argos.urdf"));
+  const RobotModel argos = testing::argos();
   for (LegId i = 0; i < 6; ++i) {
     const LegModel& leg = hexapod().legs[i];
     EXPECT_EQ(leg.kind, LegKind::serial);

@@ -4,13 +4,12 @@
 
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/params/best_stance.hpp>
-#include <hexagait/urdf/urdf.hpp>
-#include <testing/source_path.hpp>
+#include <testing/argos.hpp>
 
 namespace hexagait {
 namespace {
 
-RobotModel argos() { return load_urdf(testing::source_path("robots/argos.urdf")); }
+using testing::argos;
 
 RobotModel with_effort(double effort) {
   RobotModel robot = argos();

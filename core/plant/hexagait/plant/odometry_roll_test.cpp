@@ -5,10 +5,9 @@
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/plant/odometry.hpp>
 #include <hexagait/plant/testing/point_feet.hpp>
-#include <hexagait/urdf/urdf.hpp>
+#include <testing/argos.hpp>
 #include <testing/control_period.hpp>
 #include <testing/round_params.hpp>
-#include <testing/source_path.hpp>
 
 namespace hexagait {
 namespace {
@@ -80,7 +79,7 @@ TEST(Odometry, KnowsThatSphericalFeetRoll) {
 // rotation from exact orientations. What is left is second order in a tick's turn (1e-3 rad · ρ),
 // with random sign in time; point feet err by the whole roll.
 TEST(Odometry, FollowsTheRollOfEveryFootWhenTheBodyTurns) {
-  const RobotModel rolling = load_urdf(testing::source_path("robots/argos.urdf"));
+  const RobotModel rolling = testing::argos();
   RobotModel point = rolling;
   point.foot_radius = 0.0;
   RobotState state = standing(LegArray<Vector3>(6));

@@ -5,10 +5,9 @@
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/plant/odometry.hpp>
 #include <hexagait/plant/testing/point_feet.hpp>
-#include <hexagait/urdf/urdf.hpp>
+#include <testing/argos.hpp>
 #include <testing/control_period.hpp>
 #include <testing/round_params.hpp>
-#include <testing/source_path.hpp>
 
 namespace hexagait {
 namespace {
@@ -66,7 +65,7 @@ TEST(OdometrySlide, IsNoneOfAFootInTheAir) {
 
 // The body moves on by 10 cm: centres of feet of 2 cm that roll by a millimetre have not slid.
 TEST(OdometrySlide, IsNotTheRollingOfAFoot) {
-  const RobotModel model = load_urdf(testing::source_path("robots/argos.urdf"));
+  const RobotModel model = testing::argos();
   RobotState state;
   state.q = LegArray<LegJoints>(6);
   state.trig = LegArray<LegTrig>(6);

@@ -5,8 +5,7 @@
 #include <cstring>
 #include <hexagait/plant/recorded_plant.hpp>
 #include <hexagait/script/preview.hpp>
-#include <hexagait/urdf/urdf.hpp>
-#include <testing/source_path.hpp>
+#include <testing/argos.hpp>
 
 namespace hexagait {
 namespace {
@@ -30,7 +29,7 @@ action::Action some_action() {
 
 // The controller is a function of what it measured: played back, it writes the same bits.
 TEST(RecordedPlant, MakesTheSameControllerWriteTheSameBits) {
-  const RobotModel model = load_urdf(testing::source_path("robots/argos.urdf"));
+  const RobotModel model = testing::argos();
   const auto run = [&](Plant& plant, const auto& observe) {
     ActionRunner runner(model);
     Measurement measurement;

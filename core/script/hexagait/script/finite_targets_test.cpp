@@ -6,6 +6,7 @@
 #include <hexagait/urdf/urdf.hpp>
 #include <limits>
 #include <testing/action_words.hpp>
+#include <testing/argos.hpp>
 #include <testing/poisoned_actions.hpp>
 #include <testing/random_actions.hpp>
 #include <testing/scripted_robot.hpp>
@@ -29,7 +30,7 @@ constexpr double kAbsurd[] = {kNaN,  kInfinity, -kInfinity, 1e308, -1e200, 1e100
                               -1e30, 1e13,      1e-300,     -1e-9, 0.0,    -1.0};
 
 const RobotModel& robot(int index) {
-  static const RobotModel robots[] = {load_urdf(testing::source_path("robots/argos.urdf")),
+  static const RobotModel robots[] = {testing::argos(),
                                       load_urdf(testing::source_path("robots/hexapod_4dof.urdf"))};
   return robots[index];
 }

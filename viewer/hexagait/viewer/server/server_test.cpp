@@ -8,11 +8,10 @@
 #include <unistd.h>
 
 #include <hexagait/text/invalid_input.hpp>
-#include <hexagait/urdf/urdf.hpp>
 #include <hexagait/viewer/server/page_files.hpp>
 #include <hexagait/viewer/server/server.hpp>
 #include <hexagait/viewer/session/session.hpp>
-#include <testing/source_path.hpp>
+#include <testing/argos_walk.hpp>
 
 namespace hexagait::viewer {
 namespace {
@@ -114,7 +113,7 @@ class Socket {
 
 SessionOptions options() {
   SessionOptions result;
-  result.robot = load_urdf(hexagait::testing::source_path("robots/argos.urdf"));
+  result.robot = testing::argos();
   result.heading = heading_control::Heading::straight(0.0);
   return result;
 }

@@ -9,11 +9,10 @@
 #include <hexagait/model/kinematics.hpp>
 #include <hexagait/pipe/pipe_robot.hpp>
 #include <hexagait/text/invalid_input.hpp>
-#include <hexagait/urdf/urdf.hpp>
 #include <hexagait/viewer/session/session.hpp>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <testing/source_path.hpp>
+#include <testing/argos_walk.hpp>
 
 // A live robot: here the test itself, at the far end of the pipe. It sends one state after the other and
 // looks at the targets that come back, so ticks are counted, whatever the machine does.
@@ -77,7 +76,7 @@ class Robot {
 class LiveSession : public ::testing::Test {
  protected:
   LiveSession()
-      : model_(load_urdf(hexagait::testing::source_path("robots/argos.urdf"))),
+      : model_(testing::argos()),
         ends_(make()),
         plant_(ends_[0], model_, kPeriod),
         robot_(ends_[1], model_) {}

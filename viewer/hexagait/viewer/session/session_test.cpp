@@ -7,6 +7,7 @@
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <hexagait/viewer/session/session.hpp>
+#include <testing/argos_walk.hpp>
 #include <testing/session_client.hpp>
 #include <testing/source_path.hpp>
 
@@ -22,7 +23,7 @@ using ::testing::IsEmpty;
 
 SessionOptions options(const char* terrain = "flat") {
   SessionOptions result;
-  result.robot = load_urdf(hexagait::testing::source_path("robots/argos.urdf"));
+  result.robot = testing::argos();
   result.simulation.terrain = sim3d::parse_terrain(terrain);
   result.heading = heading_control::Heading::straight(0.0);
   result.robots = {"argos", "mite", "quadruped"};

@@ -7,6 +7,7 @@
 #include <hexagait/text/invalid_input.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <hexagait/viewer/walking/breakage.hpp>
+#include <testing/argos_walk.hpp>
 #include <testing/source_path.hpp>
 
 namespace hexagait::viewer::breakage_test {
@@ -17,9 +18,8 @@ using walk::parse_part_fault;
 using walk::PartFault;
 
 const RobotModel& robot(const char* name) {
-  static const RobotModel argos = load_urdf(hexagait::testing::source_path("robots/argos.urdf"));
   static const RobotModel mite = load_urdf(hexagait::testing::source_path("robots/mite.urdf"));
-  return std::string_view(name) == "mite" ? mite : argos;
+  return std::string_view(name) == "mite" ? mite : testing::argos();
 }
 
 std::string refusal(const std::string& text, const std::vector<PartFault>& present = {},

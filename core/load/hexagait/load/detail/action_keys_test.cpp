@@ -6,10 +6,10 @@
 #include <hexagait/load/detail/action_keys.hpp>
 #include <hexagait/load/load_action.hpp>
 #include <hexagait/text/text_file.hpp>
-#include <hexagait/urdf/urdf.hpp>
 #include <map>
 #include <set>
 #include <sstream>
+#include <testing/argos.hpp>
 #include <testing/source_path.hpp>
 
 namespace hexagait::action {
@@ -73,7 +73,7 @@ TEST(ActionKeys, AreAllThatTheDocumentHas) {
 }
 
 TEST(ActionKeys, AreAcceptedAsInTheExamplesOfTheDocument) {
-  const RobotModel argos = load_urdf(testing::source_path("robots/argos.urdf"));
+  const RobotModel argos = testing::argos();
   ActionVocabulary vocabulary;
   vocabulary.custom_types = {"lamp"};
   std::string all;
