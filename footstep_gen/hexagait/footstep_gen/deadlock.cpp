@@ -22,7 +22,7 @@ double size(const PlanarTwist& way, double arm) { return way.v.norm() + arm * st
 void Deadlock::wait_from_here(const DeadlockInput& in) noexcept {
   since_ = in.time;
   from_ = in_plane(in.X_OB);
-  left_ground_ = stepped_ = {};
+  wait_ = {};
 }
 
 void Deadlock::begin(const DeadlockInput& in) noexcept {
@@ -48,20 +48,6 @@ bool Deadlock::is_there(const DeadlockInput& in) noexcept {
   return left <= near || in.time - nearer_ > kStands * in.patience;
 }
 
-// A leg that fails lags the most, so it would try again and again, and its neighbours never step.
-void Deadlock::hold(const DeadlockInput& in) noexcept {
-  left_ground_ = left_ground_ | without(LegSet::all(in.p_BF.size()), in.standing);
-  stepped_ = stepped_ | (left_ground_ & in.standing);
-  const gait_state::Ring ring(in.p_BF.size(), in.lost);
-  escape_.held = {};
-  for (LegId i = 0; i < in.p_BF.size(); ++i) {
-    if (!escape_.failing.contains(i)) continue;
-    const LegSet beside =
-        without(gait_state::neighbours_of(LegSet(1U << i), ring), escape_.failing);
-    escape_.held.set(i, !without(beside, stepped_).empty());
-  }
-}
-
 Escape Deadlock::update(const DeadlockInput& in) noexcept {
   const bool starts = in.walks && !walked_;
   walked_ = in.walks;
@@ -70,6 +56,7 @@ Escape Deadlock::update(const DeadlockInput& in) noexcept {
     wait_from_here(in);
     return escape_;
   }
+  const gait_state::Ring ring(in.p_BF.size(), in.lost);
   const PlanarPose now = in_plane(in.X_OB);
   // In `steps` the neighbours of a failing leg step, and then it tries again.
   const double phases = escape_.phase == EscapePhase::steps ? 2.0 : 1.0;
@@ -78,7 +65,7 @@ Escape Deadlock::update(const DeadlockInput& in) noexcept {
   switch (escape_.phase) {
     case EscapePhase::none:
     case EscapePhase::steps:
-      if (escape_.phase == EscapePhase::steps) hold(in);
+      escape_.held = wait_.update(in.standing, ring);
       if (size(logarithm(between(from_, now)), in.arm) > in.progress) {
         escape_ = {};
         wait_from_here(in);
@@ -95,6 +82,7 @@ Escape Deadlock::update(const DeadlockInput& in) noexcept {
       escape_.phase = EscapePhase::steps;
       escape_.left = {};
       wait_from_here(in);
+      wait_.hold(escape_.failing, ring);
       break;
     case EscapePhase::gave_up:
       if (size({in.path.v - gave_up_.v, in.path.w - gave_up_.w}, in.arm) < kOtherPath) break;

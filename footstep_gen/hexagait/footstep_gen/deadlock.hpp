@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <hexagait/executor/commands.hpp>
+#include <hexagait/footstep_gen/neighbours_first.hpp>
 #include <hexagait/gait_state/latch.hpp>
 #include <hexagait/math/geometry.hpp>
 #include <hexagait/math/leg.hpp>
@@ -67,7 +68,6 @@ class Deadlock {
   Escape update(const DeadlockInput& in) noexcept;
 
  private:
-  void hold(const DeadlockInput& in) noexcept;
   void begin(const DeadlockInput& in) noexcept;
   [[nodiscard]] bool is_there(const DeadlockInput& in) noexcept;
   void wait_from_here(const DeadlockInput& in) noexcept;
@@ -79,8 +79,7 @@ class Deadlock {
   PlanarPose to_;         ///< where the try takes the body
   double nearest_ = 0.0;  ///< what was least left of that way [m]
   double nearer_ = 0.0;   ///< when the body last came nearer [s]
-  LegSet left_ground_;    ///< legs that have left it since the present phase began
-  LegSet stepped_;        ///< of these those that have stood again
+  NeighboursFirst wait_;  ///< of the legs that fail, while legs step
   PlanarTwist gave_up_;   ///< the path on which it gave up
 };
 

@@ -120,24 +120,15 @@ double lift_spacing(const LegArray<double>& step_time, LegSet lost, int most) no
 }
 
 LegSet BalanceWait::update(const BalanceWaitInput& in) noexcept {
-  const LegSet all = in.ring.present();
   since = std::max(since, in.last_lift);
   if (!in.waits.empty() && in.time - since > in.patience) {
-    if (held.empty()) up = stepped = {};
-    held = held | in.waits;
+    first.hold(in.waits, in.ring);
     since = in.time;
   }
-  held = held & all;
-  up = up | without(all, in.support);
-  stepped = stepped | (up & in.support);
-  const LegSet before = held;
-  for (LegId i = 0; i < kMaxLegs; ++i) {
-    if (!held.contains(i)) continue;
-    const LegSet beside = without(gait_state::neighbours_of(LegSet(1U << i), in.ring), before);
-    held.set(i, in.support.contains(i) && !without(beside, stepped).empty());
-  }
-  if (without(all & in.support, held).empty()) held = {};
-  return held;
+  const LegSet stand = in.ring.present() & in.support;
+  first.release(without(first.held(), stand));
+  if (without(stand, first.update(stand, in.ring)).empty()) first = {};
+  return first.held();
 }
 
 Vector2 way_over(const LegArray<Vector3>& feet, const Vector2& p_M, LegSet legs,

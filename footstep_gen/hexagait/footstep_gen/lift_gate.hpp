@@ -3,6 +3,7 @@
 #pragma once
 
 #include <hexagait/executor/commands.hpp>
+#include <hexagait/footstep_gen/neighbours_first.hpp>
 #include <hexagait/gait_state/ring.hpp>
 #include <limits>
 
@@ -79,9 +80,7 @@ struct BalanceWaitInput {
 struct BalanceWait {
   double since =
       -std::numeric_limits<double>::infinity();  ///< the last lift, or the last leg held [s]
-  LegSet held;                                   ///< legs that step after their neighbours
-  LegSet up;       ///< legs that have been off the ground since the first of them was held
-  LegSet stepped;  ///< legs that have stood again since
+  NeighboursFirst first;                         ///< of the legs that are held
 
   /// @returns the legs that are held from now on
   LegSet update(const BalanceWaitInput& in) noexcept;

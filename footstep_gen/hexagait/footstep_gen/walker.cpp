@@ -296,7 +296,7 @@ void Walker::find_deadlock() noexcept {
 void Walker::decide() noexcept {
   if (crawls()) X_BG_ = pose(record_.deviation);
   record_.gait_input = gait_input(record_.arc, executor_, params_.step, path_pose());
-  hold_back(record_.gait_input, record_.escape.held | balance_.held);
+  hold_back(record_.gait_input, record_.escape.held | balance_.first.held());
   record_.gate = crawls() ? gate() : LiftGateDecision{};
   const gait_state::StepConditions conditions{
       .time = time(),
