@@ -65,7 +65,7 @@ Escape Deadlock::update(const DeadlockInput& in) noexcept {
   switch (escape_.phase) {
     case EscapePhase::none:
     case EscapePhase::steps:
-      escape_.held = wait_.update(in.standing, ring);
+      if (escape_.phase == EscapePhase::steps) escape_.held = wait_.update(in.standing, ring);
       if (size(logarithm(between(from_, now)), in.arm) > in.progress) {
         escape_ = {};
         wait_from_here(in);

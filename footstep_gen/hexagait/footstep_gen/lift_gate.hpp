@@ -80,7 +80,7 @@ struct BalanceWaitInput {
 struct BalanceWait {
   double since =
       -std::numeric_limits<double>::infinity();  ///< the last lift, or the last leg held [s]
-  NeighboursFirst first;                         ///< of the legs that are held
+  NeighboursFirst first;                         ///< legs that wait for their neighbours
 
   /// @returns the legs that are held from now on
   LegSet update(const BalanceWaitInput& in) noexcept;

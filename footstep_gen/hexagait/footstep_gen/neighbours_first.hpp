@@ -22,8 +22,8 @@ class NeighboursFirst {
 
  private:
   struct Waiting {
-    LegSet waits_for,
-        up;  ///< neighbours that have not stepped yet, and those that have left the ground
+    LegSet waits_for;  ///< neighbours that have not stepped yet
+    LegSet up;         ///< neighbours that have left the ground since the leg waits
   };
   LegSet held_;
   LegArray<Waiting> legs_{kMaxLegs, Waiting{}};
