@@ -130,64 +130,75 @@ install_here() {
   cmake --install build/release --prefix "$kPrefix"
 }
 
-# files_with_eigen DIR…: the headers and sources below the folders that include <Eigen/Geometry>, themselves or
-# by a header of ours.
-files_with_eigen() {
+# What most files include, the largest first: a file reads precompiled the first of these that it includes anyway,
+# itself or by a header of ours. So it sees no name that it would not see without.
+kPrecompiled=('"commands/commands.hpp"' '<hexagait/experiments/experiment.hpp>' '<hexagait/recording/simulation.hpp>'
+              '<hexagait/footstep_gen/walker.hpp>' '<hexagait/executor/executor.hpp>'
+              '<hexagait/sim3d/world.hpp>' '<hexagait/model/kinematics.hpp>' '<hexagait/math/geometry.hpp>'
+              '<Eigen/Geometry>' '<fmt/format.h>' '<string>')
+
+# files_with HEADER DIR…: the headers and sources below the folders that include the header, themselves or by a
+# header of ours.
+files_with() {
   local found more names
-  found=$(grep -rl --include='*.[ch]pp' '#include <Eigen/' "$@" | sort)
-  while names=$(sed -nE 's#^(.*/)?(hexagait/.*hpp)$#<\2>#p; s#^app/(.*hpp)$#"\1"#p' <<<"$found")
-        more=$({ printf '%s\n' "$found"; grep -rlFf - --include='*.[ch]pp' "$@" <<<"$names"; } | sort -u)
+  found=$(grep -rlF --include='*.[ch]pp' "#include $1" "${@:2}" | sort)
+  while names=$(sed -nE 's#^(.*/)?(hexagait/.*hpp)$#<\2>#p; s#^app/(.*hpp)$#"\1"#p' <<<"$found") && [[ -n $names ]] &&
+        more=$({ printf '%s\n' "$found"; grep -rlFf - --include='*.[ch]pp' "${@:2}" <<<"$names"; } | sort -u) &&
         [[ $more != "$found" ]]; do found=$more; done
   printf '%s\n' "$found"
 }
 
-# precompile_eigen DIR OPTION…: Eigen, which is most of what a file reads, for clang: DIR/eigen.pch.
-precompile_eigen() {
-  printf '#include <Eigen/Geometry>\n' >"$1/eigen.hpp"
-  clang++ "${@:2}" -isystem /usr/include/eigen3 -fpch-instantiate-templates -x c++-header -o "$1/eigen.pch" \
-    "$1/eigen.hpp"
+# precompile DIR K COMMAND: for clang, the K-th of kPrecompiled, by a command up to its -c: DIR/K.pch.
+precompile() {
+  printf '#include %s\n' "${kPrecompiled[$2]}" >"$1/$2.hpp"
+  printf '%s -fpch-instantiate-templates -x c++-header -o %s.pch %s.hpp\n' "$3" "$1/$2" "$1/$2"
+}
+
+# check_alone DIR FOLDER…: reads lines COMMAND -c FILE, and runs each for clang to look at the file only.
+# What is precompiled, and for which files below the folders, comes first.
+check_alone() {
+  local dir=$1 k file command
+  local -A precompiled=() commands=()
+  for k in "${!kPrecompiled[@]}"; do
+    while read -r file; do : "${precompiled[$file]:=$k}"; done < <(files_with "${kPrecompiled[k]}" "${@:2}")
+  done
+  while read -r command; do
+    file=${command##* -c }
+    k=${precompiled[${file#"$PWD/"}]:-}
+    command="${command% -c *} -fPIC -fsyntax-only"
+    [[ -z $k ]] || { commands[$k]=$command; command+=" -include-pch $dir/$k.pch"; }
+    printf '%s %s\n' "$command" "$file"
+  done >"$dir/commands"
+  for k in "${!commands[@]}"; do precompile "$dir" "$k" "${commands[$k]/ -fsyntax-only/}"; done |
+    xargs -d '\n' -P "$(nproc)" -I{} sh -c {}
+  xargs -d '\n' -P "$(nproc)" -I{} sh -c {} <"$dir/commands"
 }
 
 # Each source of the library and the command compiles alone: the unity build would not see that one includes too
 # little. What the build generates lies in build/release.
 check_sources_alone() {
-  local dir=$PWD/build/alone file
-  local -A includes_eigen=()
+  local dir=$PWD/build/alone
   rm -rf "$dir"
   cmake --preset release -B "$dir" -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_CXX_COMPILER_LAUNCHER= \
     -DCMAKE_UNITY_BUILD=OFF -DHEXAGAIT_TESTS=OFF -DHEXAGAIT_BENCH=OFF -DHEXAGAIT_PAGE=OFF
-  while read -r file; do includes_eigen[$PWD/$file]=1; done < <(files_with_eigen "${kModules[@]}")
-  precompile_eigen "$dir" -std=gnu++20 -O3 -DNDEBUG -fPIC -fno-math-errno
-  local command
-  while read -r command; do
-    file=${command##* }
-    command=${command/ -o * -c / -fsyntax-only -c }
-    [[ -z ${includes_eigen[$file]:-} ]] || command+=" -fPIC -include-pch $dir/eigen.pch"
-    printf '%s\n' "$command"
-  done < <(sed -n 's#/build/alone/#/build/release/#g; s/^ *"command": "\(.*\)",$/\1/p' "$dir/compile_commands.json" |
-             sed 's/\\\(.\)/\1/g') >"$dir/commands"
-  xargs -d '\n' -P "$(nproc)" -I{} sh -c {} <"$dir/commands"
+  sed -n 's#/build/alone/#/build/release/#g; s/^ *"command": "\(.*\) -o .* \(-c .*\)",$/\1 \2/p' \
+    "$dir/compile_commands.json" | sed 's/\\\(.\)/\1/g' | check_alone "$dir" "${kModules[@]}"
   wc -l <"$dir/commands" | awk '{printf "%d sources", $1}' >"$note"
 }
 
 # Every installed header compiles alone, and twice, with nothing to include but what is installed.
 check_headers() {
   local dir=$PWD/build/headers header
-  local -A includes_eigen=()
-  local options=(-std=c++20 -Wall -Wextra -Werror)
+  local command="clang++ -std=c++20 -Wall -Wextra -Werror -I$PWD/$kPrefix/include -isystem /usr/include/eigen3"
   [[ -d $kPrefix ]] || install_here
   rm -rf "$dir"
-  mkdir -p "$dir"/{eigen,plain}
-  precompile_eigen "$dir" "${options[@]}"
-  while read -r header; do includes_eigen[$header]=1; done < <(cd "$kPrefix/include" && files_with_eigen hexagait)
+  mkdir -p "$dir"
   while read -r header; do
-    printf '#include <%s>\n#include <%s>\n' "$header" "$header" \
-      >"$dir/${includes_eigen[$header]:+eigen/}${header//\//-}.cpp"
+    printf '#include <%s>\n#include <%s>\n' "$header" "$header" >"$dir/${header//\//-}.cpp"
   done < <(cd "$kPrefix/include" && find hexagait -name '*.hpp')
-  options=(clang++ "${options[@]}" -I"$kPrefix/include" -isystem /usr/include/eigen3 -fsyntax-only)
-  find "$dir" -maxdepth 1 -name '*.cpp' -print0 | xargs -0 -P "$(nproc)" -n 1 "${options[@]}"
-  find "$dir/eigen" -name '*.cpp' -print0 | xargs -0 -P "$(nproc)" -n 1 "${options[@]}" -include-pch "$dir/eigen.pch"
-  find "$dir" -name '*.cpp' | wc -l | awk '{printf "%d headers", $1}' >"$note"
+  for header in build/headers/*.cpp; do printf '%s -c %s\n' "$command" "$PWD/$header"; done |
+    check_alone "$dir" "$kPrefix/include" build/headers
+  wc -l <"$dir/commands" | awk '{printf "%d headers", $1}' >"$note"
 }
 
 # consume PREFIX COMPONENT: a project of its own finds the component where it is installed, and of
