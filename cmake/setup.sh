@@ -36,64 +36,26 @@ say() { printf '%s\n' "$*" >&3; }
 # step TITLE COMMAND…: runs it with its output in build/log and says how long it took. A command may
 # leave one line to be shown in $note. If it fails, so does the script, with the end of the output.
 step() {
-  local title=$1 begin=$SECONDS status note
-  note=$(mktemp)
+  local title=$1 log=$kLogs/${1// /-}.log begin=$SECONDS status
+  shift
   mkdir -p "$kLogs"
+  note=$(mktemp)
   printf '%-20s' "$title" >&3
   set +e
-  (set -e; "${@:2}") >"$(log_of "$title")" 2>&1 </dev/null
+  (set -e; "$@") >"$log" 2>&1 </dev/null
   status=$?
   set -e
-  [[ ! -t 3 ]] || printf '\r%-20s' "$title" >&3
-  report "$title" $status $((SECONDS - begin))
-}
-
-log_of() { printf '%s/%s.log' "$kLogs" "${1// /-}"; }
-
-# report TITLE STATUS SECONDS: how a step has ended.
-report() {
-  local title=$1 status=$2 seconds=$3 log
-  log=$(log_of "$title")
   if ((status == 0)); then
-    printf '%6d s   %s\n' "$seconds" "$(cat "$note")" >&3
+    [[ -t 3 ]] && printf '\r%-20s' "$title" >&3
+    printf '%6d s   %s\n' $((SECONDS - begin)) "$(cat "$note")" >&3
     rm -f "$note"
     return
   fi
   rm -f "$note"
   printf '  FAILED\n' >&3
   tail -n 60 "$log" >&2
-  printf '\nFailed: %s, after %d s. All of its output: %s\n' "$title" "$seconds" "$log" >&2
+  printf '\nFailed: %s, after %d s. All of its output: %s\n' "$title" $((SECONDS - begin)) "$log" >&2
   exit 1
-}
-
-# beside TITLE COMMAND…: a step that mostly waits, beside those that follow, which leave it the processors
-# when it wants them; joined() waits for its end. One at a time.
-beside() {
-  local begin=$SECONDS
-  beside=$1 beside_end=$(mktemp)
-  note=$(mktemp)
-  beside_note=$note
-  mkdir -p "$kLogs"
-  set -m  # its own process group, which ends with the script
-  (
-    set +e
-    (set -e; "${@:2}") >"$(log_of "$beside")" 2>&1 </dev/null
-    printf '%d %d\n' $? $((SECONDS - begin)) >"$beside_end"
-  ) &
-  beside_group=$!
-  set +m
-  trap 'kill -- -"$beside_group" 2>/dev/null || true' EXIT
-  renice -n 10 $$ >/dev/null
-}
-
-joined() {
-  local status seconds note=$beside_note
-  printf '%-20s' "$beside" >&3
-  wait "$beside_group" || true
-  trap - EXIT
-  read -r status seconds <"$beside_end"
-  rm -f "$beside_end"
-  report "$beside" "$status" "$seconds"
 }
 
 # Copies what ninja or ctest prints, and shows how far it is: at every per cent on a terminal, else
