@@ -10,6 +10,7 @@
 #include <hexagait/footstep_gen/roughness.hpp>
 #include <hexagait/footstep_gen/steps_beside.hpp>
 #include <hexagait/footstep_gen/tick_record.hpp>
+#include <hexagait/footstep_gen/walker_params.hpp>
 #include <hexagait/gait_state/decide.hpp>
 #include <hexagait/gait_state/ring.hpp>
 #include <hexagait/heading_control/path_tracker.hpp>
@@ -17,28 +18,6 @@
 #include <hexagait/plant/plant_watch.hpp>
 
 namespace hexagait::footstep_gen {
-
-/// What is kDerived follows from the robot's model.
-struct WalkerParams {
-  double control_dt = 0.002;  ///< control period [s], 1 to 20 ms
-  SensorMask sensors;
-  gait_state::GaitParams gait{.tie_tolerance = kDerived};
-  /// Initial gait: free (a wave where the ground is very rough, (step 8)), wave or tripod.
-  gait_state::StepperParams stepper;
-  StepParams step;
-  ExecutorParams executor;
-  ToleranceParams tolerance;  ///< its `tie` is not used: that of `gait` is
-  double late_limit = 0.1;    ///< longest time without a measurement before it stops [s]
-  /// Legs that do not answer are lost, and sensors that are stuck or noisy are not believed: LegWatch.
-  bool finds_faults = true;
-  /// A robot that does not get on moves its body to where its feet are best used, and tries again from
-  /// there: Deadlock. Not of robots that crawl, whose body sways from step to step, nor with legs of two
-  /// joints, whose body cannot move sideways.
-  bool resolves_deadlocks = true;
-};
-
-/// Sets what is kDerived to what follows from the robot's model.
-[[nodiscard]] WalkerParams completed(WalkerParams params, const RobotModel& model);
 
 /// The walking controller: takes a measurement and a heading and returns joint targets, once per
 /// control period. A value; tick() neither throws nor allocates.
