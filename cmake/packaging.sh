@@ -148,12 +148,6 @@ files_with() {
   printf '%s\n' "$found"
 }
 
-# precompile DIR K COMMAND: for clang, the K-th of kPrecompiled, by a command up to its -c: DIR/K.pch.
-precompile() {
-  printf '#include %s\n' "${kPrecompiled[$2]}" >"$1/$2.hpp"
-  printf '%s -fpch-instantiate-templates -x c++-header -o %s.pch %s.hpp\n' "$3" "$1/$2" "$1/$2"
-}
-
 # check_alone DIR FOLDER…: reads lines COMMAND -c FILE, and runs each for clang to look at the file only.
 # What is precompiled, and for which files below the folders, comes first.
 check_alone() {
@@ -165,12 +159,14 @@ check_alone() {
   while read -r command; do
     file=${command##* -c }
     k=${precompiled[${file#"$PWD/"}]:-}
-    command="${command% -c *} -fPIC -fsyntax-only"
-    [[ -z $k ]] || { commands[$k]=$command; command+=" -include-pch $dir/$k.pch"; }
-    printf '%s %s\n' "$command" "$file"
+    command="${command% -c *} -fPIC"
+    [[ -z $k ]] || commands[$k]=$command
+    printf '%s -fsyntax-only %s %s\n' "$command" "${k:+-include-pch $dir/$k.pch}" "$file"
   done >"$dir/commands"
-  for k in "${!commands[@]}"; do precompile "$dir" "$k" "${commands[$k]/ -fsyntax-only/}"; done |
-    xargs -d '\n' -P "$(nproc)" -I{} sh -c {}
+  for k in "${!commands[@]}"; do
+    printf '#include %s\n' "${kPrecompiled[k]}" >"$dir/$k.hpp"
+    printf '%s -fpch-instantiate-templates -x c++-header -o %s.pch %s.hpp\n' "${commands[$k]}" "$dir/$k" "$dir/$k"
+  done | xargs -d '\n' -P "$(nproc)" -I{} sh -c {}
   xargs -d '\n' -P "$(nproc)" -I{} sh -c {} <"$dir/commands"
 }
 
