@@ -17,6 +17,7 @@
 #
 # hexagait_options(TARGET [COLD | TEST])  COLD: it spends no time, so it is compiled fast rather than to be fast;
 #                                         TEST: it spends some
+# The configuration Sanitize is that of the sanitize preset: see hexagait_fast_first().
 function(hexagait_options target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "COLD;TEST" "" "")
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wconversion -ffp-contract=off
@@ -25,7 +26,40 @@ function(hexagait_options target)
                          $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-expand=400>
                          $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=400000>
                          $<$<AND:$<BOOL:${arg_COLD}>,$<CONFIG:Release>>:-Og>
-                         $<$<AND:$<BOOL:${arg_TEST}>,$<CONFIG:Release>>:-O1>)
+                         $<$<AND:$<BOOL:${arg_TEST}>,$<CONFIG:Release>>:-O1>
+                         $<$<AND:$<OR:$<BOOL:${arg_COLD}>,$<BOOL:${arg_TEST}>>,$<CONFIG:Sanitize>>:-O0>)
+  if(arg_COLD)
+    set_property(TARGET ${target} PROPERTY hexagait_cold TRUE)
+  endif()
+endfunction()
+
+# hexagait_fast_first(PROGRAM), after its target_link_libraries: where Sanitize compiles its sources with -O0,
+# it still computes with the optimised inline functions and templates of the rooms: of several definitions the
+# linker takes the first, so that the rooms come before the objects of the program.
+function(hexagait_fast_first program)
+  get_target_property(queue ${program} LINK_LIBRARIES)
+  while(queue)
+    list(POP_FRONT queue library)
+    string(REGEX REPLACE "^\\$<LINK_ONLY:(.*)>$" "\\1" library "${library}")
+    string(REPLACE "hexagait::" "hexagait_" library "${library}")
+    if(NOT library MATCHES "^hexagait_" OR NOT TARGET ${library} OR library IN_LIST seen)
+      continue()
+    endif()
+    list(APPEND seen ${library})
+    get_target_property(needs ${library} INTERFACE_LINK_LIBRARIES)
+    get_target_property(type ${library} TYPE)
+    get_target_property(cold ${library} hexagait_cold)
+    if(needs)
+      list(APPEND queue ${needs})
+    endif()
+    if(type STREQUAL STATIC_LIBRARY AND NOT cold)
+      list(APPEND fast $<TARGET_FILE:${library}>)
+    endif()
+  endwhile()
+  if(fast)
+    target_link_options(${program} PRIVATE
+      "$<$<CONFIG:Sanitize>:-Wl,--whole-archive;${fast};-Wl,--no-whole-archive>")
+  endif()
 endfunction()
 
 function(hexagait_module name)
@@ -138,5 +172,6 @@ function(hexagait_test name)
   hexagait_precompiled(${name})
   set_target_properties(${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 16)
   hexagait_options(${name} TEST)
+  hexagait_fast_first(${name})
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST)
 endfunction()
