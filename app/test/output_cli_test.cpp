@@ -48,9 +48,11 @@ TEST_F(Cli, ThatCannotWriteItsResultToStdoutSaysSoAndFails) {
       EXPECT_EQ(result.status, 2) << arguments << target;
       EXPECT_THAT(result.err, HasSubstr("can't write to standard output")) << arguments << target;
     }
-  for (const char* arguments : {"robot argos", "verify --quiet"})
-    EXPECT_THAT(run(std::string(arguments) + " >/dev/full").err,
-                HasSubstr("No space left on device"));
+  EXPECT_THAT(run("robot argos >/dev/full").err, HasSubstr("No space left on device"));
+}
+
+TEST_F(Cli, ThatCannotWriteWhatItHasProvedSaysSo) {
+  EXPECT_THAT(run("verify --quiet >/dev/full").err, HasSubstr("No space left on device"));
 }
 
 // With stdout closed the first file that is opened must not become it.

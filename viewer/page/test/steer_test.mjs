@@ -308,9 +308,9 @@ describe("looks", () => {
   test("as well as a machine with a graphics card draws it", async () => {
     await reset();
     const fine = await openPage(browser, server.url, { viewport: { width: 1200, height: 760 } });
-    await fine.waitForTimeout(8000);
+    await until(fine, (f) => f.moving && f.path > 0.2);
     await fine.evaluate(() => { window.hexagait.quality(1); window.hexagait.camera({ azimuth: -2.0, elevation: 0.5, distance: 2.5 }); });
-    await fine.waitForTimeout(6000);
+    await fine.waitForTimeout(2000);
     await shot(fine, "fine");
     await fine.context().close();
   });
