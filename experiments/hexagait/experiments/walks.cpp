@@ -55,10 +55,10 @@ std::vector<Walk> random_commands(const RobotModel& robot, std::uint64_t count, 
   });
 }
 
-// Straight on at full speed, then a command that leaves the straight line at once, given at eight instants
-// of a step.
+// Straight on at full speed, then a command that leaves the straight line at once, given at 24 instants,
+// 0.07 s apart.
 std::vector<Walk> sharp_changes(bool brief) {
-  constexpr double kBefore = 5.0, kApart = 0.17, kAfter = 4.0;  // [s]
+  constexpr double kBefore = 5.0, kApart = 0.07, kAfter = 4.0;  // [s]
   struct Command {
     const char* name;
     Heading heading;
@@ -69,7 +69,7 @@ std::vector<Walk> sharp_changes(bool brief) {
                               {"r = 0.3 m", Heading::arc(0.3, 0.0)}};
   std::vector<Walk> walks;
   for (const auto& [name, heading] : commands)
-    for (int k = 0; k < (brief ? 1 : 8); ++k) {
+    for (int k = 0; k < (brief ? 1 : 24); ++k) {
       const double at = kBefore + kApart * k;
       walks.push_back({"sharp change", fmt::format("{} after {:.2f} s", name, at),
                        flat(Heading::straight(0.0), at + kAfter)});
@@ -90,7 +90,7 @@ std::vector<Walk> first_walks(std::uint64_t count, double seconds) {
 constexpr const char* kPolygon =
     "braking harder would take the zero-moment point out of the support polygon";
 constexpr const char* kBounces =
-    "a foot that has hardly landed loses contact for some milliseconds while the body brakes";
+    "a foot that has hardly landed, or carries little, loses contact while the body brakes";
 constexpr const char* kNoReflexes =
     "a foot that rolls over an edge while a neighbour is in the air is only put down again";
 
@@ -229,15 +229,19 @@ Verdict judge_commands(std::span<const Walk> walks) {
 Verdict judge_sharp_changes(std::span<const Walk> walks) {
   const auto off = [](const Walk& w) { return 1e2 * w.summary.lateral_max; };
   const auto margin = [](const Walk& w) { return 1e2 * w.summary.margin_min; };
+  const auto flight = [](const Walk& w) { return w.summary.neighbour_flight; };
   return {.claim = fmt::format("{} sharp changes of heading at full speed", walks.size()),
           .safety = no_fall(summaries(walks)),
           .checks = {
               none_stuck(walks), to_the_end(walks),
               Check({"farthest from the path, worst change", "cm", worst(walks, off)}, at_most(2.0))
-                  .expected_to_fail(between(2.0, 4.0), kPolygon),
+                  .expected_to_fail(between(2.0, 5.0), kPolygon),
               Check({"least stability margin of all", "cm", statistics::least(each(walks, margin))},
                     at_least(0.0))
-                  .expected_to_fail(between(-30.0, 0.0), kBounces)}};
+                  .expected_to_fail(between(-30.0, 0.0), kBounces),
+              Check({"two neighbours off the ground, worst change", "s", worst(walks, flight)},
+                    at_most(0.0))
+                  .expected_to_fail(between(0.05, 0.5), kBounces)}};
 }
 
 namespace {
