@@ -110,7 +110,7 @@ TEST(JudgeSharpChanges, KnowsHowFarItLeavesThePath) {
   EXPECT_EQ(word([](auto&) {}), "as expected, does not hold");
   EXPECT_EQ(word([](auto& s) { s.fell = true; }), "FAILS");
   EXPECT_EQ(word([](auto& s) { s.stuck = true; }), "FAILS");
-  EXPECT_EQ(word([](auto& s) { s.lateral_max = 0.06; }), "FAILS");
+  EXPECT_EQ(word([](auto& s) { s.lateral_max = 0.05; }), "FAILS");
   EXPECT_EQ(word([](auto& s) { s.margin_min = -0.31; }), "FAILS") << "outside its band";
   EXPECT_EQ(word([](auto& s) { s.neighbour_flight = 0.6; }), "FAILS") << "outside its band";
 }

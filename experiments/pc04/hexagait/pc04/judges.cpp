@@ -297,23 +297,21 @@ std::vector<Verdict> judge_fig9(const Summary& s, double longest_pause) {
   // Off the curve at most: a turn in place commanded at full speed. The base brakes from 0.3 m/s
   // while it starts to turn at 0.8 rad/s; at 0.8 m from it, 1.2 m/s² allow both within 0.8 s, in
   // which the speed left over makes 0.3 · 0.8/2 m = 12 cm.
-  return {
-      {.claim = "One controller follows straight lines, turns in place and curves, one after "
-                "the other",
-       .safety = no_fall(std::span(&s, 1)),
-       .checks = {{{"stuck", "", s.stuck}, exactly(0.0)},
-                  {{"distance walked", "m", s.distance}, at_least(9.0)},
-                  {{"off the commanded curve, mean", "mm", 1e3 * s.lateral_mean}, below(10.0)},
-                  {{"off it, most", "mm", 1e3 * s.lateral_max,
-                    "where a turn in place begins at full speed"},
-                   below(120.0)}}},
-      // One step takes 0.85 s.
-      {.claim = "It goes from one to the next without a pause to rearrange its legs",
-       .checks = {{{"longest time between two lifts", "s", longest_pause}, below(1.5)},
-                  {{"steps", "", s.steps}, at_least(100.0)}}},
-      // A foot that stands may lose its load while the base brakes: see the sharp changes of `walks`.
-      {.claim = "Hardly ever are two neighbouring legs off the ground together",
-       .safety = no_fall_and_rule_1({&s, 1}, 0.2)}};
+  return {{.claim = "One controller follows straight lines, turns in place and curves, one after "
+                    "the other",
+           .safety = no_fall(std::span(&s, 1)),
+           .checks = {{{"stuck", "", s.stuck}, exactly(0.0)},
+                      {{"distance walked", "m", s.distance}, at_least(9.0)},
+                      {{"off the commanded curve, mean", "mm", 1e3 * s.lateral_mean}, below(10.0)},
+                      {{"off it, most", "mm", 1e3 * s.lateral_max,
+                        "where a turn in place begins at full speed"},
+                       below(120.0)}}},
+          // One step takes 0.85 s.
+          {.claim = "It goes from one to the next without a pause to rearrange its legs",
+           .checks = {{{"longest time between two lifts", "s", longest_pause}, below(1.5)},
+                      {{"steps", "", s.steps}, at_least(100.0)}}},
+          {.claim = "No two neighbouring legs are ever off the ground together",
+           .safety = no_fall_and_rule_1({&s, 1})}};
 }
 
 std::vector<Verdict> judge_fig10(const Summary& s, const std::vector<Summary>& others) {

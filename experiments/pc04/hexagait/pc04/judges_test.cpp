@@ -238,7 +238,7 @@ TEST(JudgeFig9, WantsTheCurveFollowedWithoutAPause) {
   EXPECT_EQ(broken([](auto& s) { s.stuck = true; })[0], kFails);
   EXPECT_EQ(broken([](auto& s) { s.distance = 2.0; })[0], kFails);
   EXPECT_EQ(broken([](auto& s) { s.fell = true; }), (Words{kFails, kHolds, kFails}));
-  EXPECT_EQ(broken([](auto& s) { s.neighbour_flight = 0.003 * s.seconds; })[2], kFails);
+  EXPECT_EQ(broken([](auto& s) { s.neighbour_flight = 0.002; })[2], kFails);
 }
 
 TEST(JudgeFig10, WantsTheCurveKeptOnRoughGround) {
