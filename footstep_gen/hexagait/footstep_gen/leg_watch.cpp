@@ -80,14 +80,14 @@ void LegWatch::watch(const RobotModel& model, const Executor& executor, const Ro
   }
   if (sensors.joint_feedback) compare_noise(model, executor);
   if (sensors.foot_contacts) compare_flickers();
-  ticks_ = std::min(ticks_ + 1, 3);
+  started_ = true;
 }
 
 void LegWatch::watch_answer(LegId leg, const Executor& executor, const LegJoints& q,
                             double dt) noexcept {
   Leg& of = legs_[leg];
   const LegJoints& target = executor.targets().q[leg];
-  if (ticks_ == 0) {
+  if (!started_) {
     of.target_slow = target;
     of.q_slow = q;
   }
@@ -139,7 +139,8 @@ void LegWatch::watch_noise(LegId leg, const Executor& executor, const LegJoints&
                            double dt) noexcept {
   Leg& of = legs_[leg];
   const LegJoints error = q - executor.targets().q[leg];
-  if (ticks_ >= 2) {
+  of.differences = executor.legs()[leg].phase == LegPhase::retreat ? 0 : of.differences + 1;
+  if (of.differences > 2) {
     const LegJoints second = error - 2.0 * of.error_before + of.error_before_that;
     const double memory = kNoiseMemoryShare * executor.params().swing.lift_time;
     const double square = second.cwiseAbs2().maxCoeff() / 6.0;

@@ -48,7 +48,7 @@ struct LegFindings {
 ///
 /// **Noisy.** σ of the readings, by their second differences less those of the targets, times the leg's
 /// reach is more than a third of blocked_error and more than three times that of any other leg. Noise
-/// that all legs have is not a fault of one.
+/// that all legs have is not a fault of one. The targets of a leg that retreats jump to where it is held: it is left out.
 class LegWatch {
  public:
   explicit LegWatch(int legs = 0);
@@ -75,6 +75,7 @@ class LegWatch {
     double pressed = 0.0;      ///< how long the ground has stopped the foot, without a break [s]
     double stopped = 0.0;      ///< the same in all, and no contact since [s]
     LegJoints error_before = LegJoints::Zero(), error_before_that = LegJoints::Zero();
+    int differences = 0;    ///< in a row that are of its motion, not of a target that jumped
     double variance = 0.0;  ///< of the noisiest joint [rad²]
   };
 
@@ -87,7 +88,7 @@ class LegWatch {
 
   LegArray<Leg> legs_;
   LegFindings findings_;
-  int ticks_ = 0;  ///< until the second differences are known
+  bool started_ = false;  ///< there was a tick before
 };
 
 }  // namespace hexagait::footstep_gen

@@ -156,7 +156,7 @@ void Walker::estimate() noexcept {
                       leg_watch_.mended(record_.measurement, executor_, record_.state), executor_,
                       watch_.elapsed());
   executor_.sense(record_.state, params_.control_dt);
-  if (ticks_ < catches_until_) catch_fall();
+  if (ticks_ < catches_until_ || loses_footing()) catch_fall();
   // A lost leg has no footprint: that of another one stands for it.
   const LegSet lost = lost_legs();
   for (LegId i = 0; !lost.empty() && i < model_->num_legs(); ++i)

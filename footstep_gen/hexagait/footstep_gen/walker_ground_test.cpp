@@ -287,6 +287,8 @@ TEST(Walker, BeginsNoStepForLostContactBesideAStep) {
   params.stepper = {.stepping = gait_state::Stepping::wave, .duty_factor = 0.8};
   params.finds_faults = false;  // it would take the contact sensor for broken
   Walk walk(argos(), 0.0, 0, params);
+  // On level ground RF would be put down: LF may be gone.
+  walk.plant.ground = [](const Vector2& p_O) { return p_O.y() > 0.0 ? 0.05 : 0.0; };
   bool held = false;
   int waits = 0, begins_after = 0;
   LegJoints stuck;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 #include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/footstep_gen/detail/stance_from_above.hpp>
@@ -9,7 +10,8 @@
 namespace hexagait::footstep_gen {
 namespace {
 
-constexpr double kCatching = 2.5;  // times of a lift, after a leg is lost
+constexpr double kCatching = 2.5;     // times of a lift, after a leg is lost
+constexpr double kLevelGround = 0.3;  // of the step height: prints that differ by less
 
 }  // namespace
 
@@ -38,6 +40,16 @@ void Walker::find_faults() noexcept {
   record_.findings = leg_watch_.findings();
   for (LegId i = 0; !record_.findings.silent.empty() && i < model_->num_legs(); ++i)
     if (record_.findings.silent.contains(i)) lose_leg(i);
+}
+
+// Level ground does not give way: where a foot there has lost its contact, and not found it for lost_time, its leg may be
+// gone. Over rough ground feet lose their contact every so often.
+bool Walker::loses_footing() const noexcept {
+  if (!lost_legs().empty() || print_spread_ > kLevelGround * params_.step.height) return false;
+  return std::ranges::any_of(executor_.legs(), [this](const LegLane& lane) {
+    return lane.regains && lane.phase == LegPhase::descend && !lane.touching &&
+           lane.time > params_.executor.swing.lost_time;
+  });
 }
 
 // Feet that are up when a leg is lost may have left the centre of mass outside those that stand: it falls

@@ -22,6 +22,17 @@ bool planned_contact(const LegLane& lane, const Pose& X_OB) {
   }
 }
 
+// Legs in the air that do not follow their set points. One that is held gives way (give_way() of LegLane), to less than
+// blocked_error.
+LegSet held_in_air(const Executor& executor) {
+  constexpr double kHeld = 0.5;  // of blocked_error
+  LegSet held;
+  for (LegId i = 0; i < executor.legs().size(); ++i)
+    held.set(i, !executor.legs()[i].on_ground() &&
+                    executor.tracking_error(i) > kHeld * executor.params().swing.blocked_error);
+  return held;
+}
+
 }  // namespace
 
 RobotState StateEstimator::start(const Measurement& measurement, RestsOn rests_on) {
@@ -43,6 +54,7 @@ RobotState StateEstimator::start(const Measurement& measurement, RestsOn rests_o
   odometry_.reset(state, rests_on);
   since_imu_ = 0.0;
   gravity_ = {};
+  felt_while_held_ = FeltWhileHeld(n);
   if (has_imu(measurement)) {
     tilt_.reset(*measurement.imu);
     odometry_.level(state, tilt_.up_B(), LegArray<double>(n, 1.0));
@@ -78,11 +90,16 @@ void StateEstimator::feel_gravity(RobotState& state, const Executor& executor,
   if (!sensors_.joint_feedback || !params.swing.reflexes || model_->legs[0].has_two_joints() ||
       params.controller != WholeBodyController::kinematic)
     return;
-  int stand = 0;
-  for (LegId i = 0; i < model_->num_legs(); ++i)
-    stand += executor.legs()[i].phase == LegPhase::support && state.contact[i] ? 1 : 0;
-  const Vector3 change = gravity_.update(*model_, state, executor.targets(), executor.lost(), stand,
-                                         dt, odometry_.tolerance());
+  LegSet stand, feel;
+  for (LegId i = 0; i < model_->num_legs(); ++i) {
+    const LegLane& lane = executor.legs()[i];
+    stand.set(i, lane.phase == LegPhase::support && lane.believed);
+    feel.set(i, lane.phase == LegPhase::support && state.contact[i]);
+  }
+  const Vector3 felt = gravity_.update(*model_, state, executor.targets(), executor.lost(),
+                                       feel.size(), dt, odometry_.tolerance());
+  const Vector3 change =
+      felt_while_held_.update(felt, held_in_air(executor), stand, executor.lost());
   if (change.isZero()) return;
   const Vector3 up_B = state.X_OB.R.row(2);
   odometry_.level(state, (up_B + change).normalized(), footing);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <hexagait/executor/executor.hpp>
+#include <hexagait/executor/felt_while_held.hpp>
 #include <hexagait/executor/gravity_sense.hpp>
 #include <hexagait/plant/odometry.hpp>
 #include <hexagait/plant/tilt_filter.hpp>
@@ -50,6 +51,7 @@ class StateEstimator {
   Odometry odometry_;
   TiltFilter tilt_;
   GravitySense gravity_;
+  FeltWhileHeld felt_while_held_;
   double since_imu_ = 0.0;  ///< time since its last measurement [s]
 };
 

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The hexagait authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <hexagait/math/leg.hpp>
+
+namespace hexagait {
+
+/// Corrections of up that GravitySense makes while a leg in the air is held. A leg that is caught pulls at the robot, and
+/// its joints say by how much. The joints of a dead or missing leg say the same, and nothing pulls. So until that leg
+/// stands again up turns by no more than ε/2 = 0.04 rad for it, and if it is lost, what it turned is taken back. A value.
+class FeltWhileHeld {
+ public:
+  explicit FeltWhileHeld(int legs = 0) : turned_(legs, Vector3::Zero()) {}
+
+  /// @param felt   correction in this tick, body frame, across up [rad]
+  /// @param held   legs in the air that do not follow their set points
+  /// @param stand  legs that stand
+  /// @param lost   legs that take no part any more
+  /// @returns the correction to be made, as `felt`
+  Vector3 update(const Vector3& felt, LegSet held, LegSet stand, LegSet lost) noexcept;
+
+ private:
+  LegArray<Vector3> turned_;  ///< since the leg was held first [rad]
+  LegSet held_;               ///< legs that were held and have not stood since
+  LegSet lost_;
+};
+
+}  // namespace hexagait
