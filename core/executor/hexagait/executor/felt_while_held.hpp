@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <hexagait/math/geometry.hpp>
 #include <hexagait/math/leg.hpp>
 
 namespace hexagait {
