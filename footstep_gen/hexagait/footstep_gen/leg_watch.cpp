@@ -139,8 +139,10 @@ void LegWatch::watch_noise(LegId leg, const Executor& executor, const LegJoints&
                            double dt) noexcept {
   Leg& of = legs_[leg];
   const LegJoints error = q - executor.targets().q[leg];
-  of.differences = executor.legs()[leg].phase == LegPhase::retreat ? 0 : of.differences + 1;
-  if (of.differences > 2) {
+  constexpr int kEnough = 3;  // for a second difference
+  of.errors =
+      executor.legs()[leg].phase == LegPhase::retreat ? 0 : std::min(of.errors + 1, kEnough);
+  if (of.errors == kEnough) {
     const LegJoints second = error - 2.0 * of.error_before + of.error_before_that;
     const double memory = kNoiseMemoryShare * executor.params().swing.lift_time;
     const double square = second.cwiseAbs2().maxCoeff() / 6.0;

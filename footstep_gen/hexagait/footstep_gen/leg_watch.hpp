@@ -75,7 +75,7 @@ class LegWatch {
     double pressed = 0.0;      ///< how long the ground has stopped the foot, without a break [s]
     double stopped = 0.0;      ///< the same in all, and no contact since [s]
     LegJoints error_before = LegJoints::Zero(), error_before_that = LegJoints::Zero();
-    int differences = 0;    ///< in a row that are of its motion, not of a target that jumped
+    int errors = 0;         ///< in a row without a retreat, up to the three of a second difference
     double variance = 0.0;  ///< of the noisiest joint [rad²]
   };
 

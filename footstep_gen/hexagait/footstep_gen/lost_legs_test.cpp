@@ -130,8 +130,17 @@ TEST(LostLegs, ThatThereAreNotOrAreLostAlreadyAreNone) {
   EXPECT_EQ(walk.walker.lost_legs(), set_of({4})) << "start() keeps it";
 }
 
-// At any instant of a step. Its joints are not noisy: they stay where they are.
 TEST(LegWatch, FindsALegThatDoesNotAnswerAndGoesOnWithoutIt) {
+  Walk walk;
+  walk.go_on(3.0);
+  const LegJoints frozen = walk.plant.measurement.q[4];
+  walk.go_on(6.0, [&](Measurement& measured) { measured.q[4] = frozen; });
+  EXPECT_EQ(walk.walker.record().findings.silent, set_of({4}));
+  EXPECT_EQ(walk.walker.lost_legs(), set_of({4}));
+}
+
+// At any instant of a step. Its joints are not noisy: they stay where they are.
+TEST(LegWatch, FindsALegThatIsGoneAndNoNoiseInIt) {
   for (int k = 0; k < 10; ++k) {
     Walk walk;
     walk.go_on(3.0 + 0.08 * k);

@@ -71,18 +71,20 @@ inline constexpr double kSlowFrom = 2.5;  ///< spread without haste, of the step
   return step;
 }
 
+inline constexpr double kLevelUpTo = 0.3;  ///< spread of level ground, of the step height
+
 /// The steps on level ground, where nothing is a guess, (step 10): lower, in more haste, down fast until just
 /// above the ground, which they meet no faster for it, and inside the workspace. All of it where the prints don't
-/// differ, nothing from a spread of 0.3 heights on.
+/// differ, nothing from a spread of kLevelUpTo heights on.
 /// @param step    as on_ground(), with the haste that the drives leave
 /// @param spread  of the ground of late, as remembered_spread() [m]
 /// @param full    what it was made from
 [[nodiscard]] inline StepParams on_level_ground(StepParams step, double spread,
                                                 const StepParams& full) noexcept {
-  constexpr double kUpTo = 0.3, kLower = 0.12, kHastier = 0.35, kNearer = 0.7;
+  constexpr double kLower = 0.12, kHastier = 0.35, kNearer = 0.7;
   if (!(full.height > 0.0 && full.haste > 1.0)) return step;
   const double hasty = (step.haste - 1.0) / (full.haste - 1.0);
-  const double level = hasty * std::max(0.0, 1.0 - spread / (kUpTo * full.height));
+  const double level = hasty * std::max(0.0, 1.0 - spread / (kLevelUpTo * full.height));
   const double haste = step.haste + kHastier * level * (full.haste - 1.0);
   step.height = std::max(0.0, step.height - kLower * level * full.height);
   step.touchdown *= step.haste / haste;

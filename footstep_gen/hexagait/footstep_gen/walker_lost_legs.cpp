@@ -4,14 +4,14 @@
 #include <cmath>
 #include <hexagait/balance/support_polygon.hpp>
 #include <hexagait/footstep_gen/detail/stance_from_above.hpp>
+#include <hexagait/footstep_gen/roughness.hpp>
 #include <hexagait/footstep_gen/walker.hpp>
 
 /// What a Walker does about legs that it loses, and without them.
 namespace hexagait::footstep_gen {
 namespace {
 
-constexpr double kCatching = 2.5;     // times of a lift, after a leg is lost
-constexpr double kLevelGround = 0.3;  // of the step height: prints that differ by less
+constexpr double kCatching = 2.5;  // times of a lift, after a leg is lost
 
 }  // namespace
 
@@ -45,7 +45,7 @@ void Walker::find_faults() noexcept {
 // Level ground does not give way: where a foot there has lost its contact, and not found it for lost_time, its leg may be
 // gone. Over rough ground feet lose their contact every so often.
 bool Walker::loses_footing() const noexcept {
-  if (!lost_legs().empty() || print_spread_ > kLevelGround * params_.step.height) return false;
+  if (!lost_legs().empty() || print_spread_ > kLevelUpTo * params_.step.height) return false;
   return std::ranges::any_of(executor_.legs(), [this](const LegLane& lane) {
     return lane.regains && lane.phase == LegPhase::descend && !lane.touching &&
            lane.time > params_.executor.swing.lost_time;

@@ -11,16 +11,20 @@ constexpr double kMostTurn = 0.04;  // for a leg that is held [rad]
 
 Vector3 FeltWhileHeld::update(const Vector3& felt, LegSet held, LegSet stand,
                               LegSet lost) noexcept {
+  const LegSet before = held_;
+  held_ = without(before | held, stand | lost);
+  if ((before | held_).empty()) return felt;  // as a rule
   Vector3 back = Vector3::Zero();
   bool too_far = false;
-  held_ = without(held_ | held, stand | lost);
   for (LegId i = 0; i < turned_.size(); ++i) {
-    if (lost.contains(i) && !lost_.contains(i)) back -= turned_[i];
-    if (!held_.contains(i)) turned_[i].setZero();
-    const double now = turned_[i].norm(), then = (turned_[i] + felt).norm();
-    too_far = too_far || (held_.contains(i) && then > kMostTurn && then > now);
+    if (held_.contains(i)) {
+      const double then = (turned_[i] + felt).norm();
+      too_far = too_far || (then > kMostTurn && then > turned_[i].norm());
+    } else {
+      if (lost.contains(i)) back -= turned_[i];
+      turned_[i].setZero();
+    }
   }
-  lost_ = lost;
   if (too_far) return back;
   for (LegId i = 0; i < turned_.size(); ++i)
     if (held_.contains(i)) turned_[i] += felt;

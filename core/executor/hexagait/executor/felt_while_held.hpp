@@ -22,9 +22,9 @@ class FeltWhileHeld {
   Vector3 update(const Vector3& felt, LegSet held, LegSet stand, LegSet lost) noexcept;
 
  private:
-  LegArray<Vector3> turned_;  ///< since the leg was held first [rad]
-  LegSet held_;               ///< legs that were held and have not stood since
-  LegSet lost_;
+  LegArray<Vector3>
+      turned_;   ///< since the leg was held first; 0 of legs that are not in held_ [rad]
+  LegSet held_;  ///< legs that were held and have not stood since
 };
 
 }  // namespace hexagait

@@ -34,7 +34,7 @@ Summary walk_without(LegId leg, const char* since) {
   return walk_with(resolved({parse_part_fault(fault)}, argos()));
 }
 
-// Of the leg that is gone nothing must stay in what the robot takes for up: on a slope that is none five legs walked at 38
+// Of the leg that is gone nothing must stay in what the robot takes for up: on a slope that is none five legs walked at 29
 // to 59 % of the speed of six.
 TEST(LostLeg, FiveLegsWalkAtMoreThanHalfTheSpeedOfSix) {
   const Summary six = walk_with({});
