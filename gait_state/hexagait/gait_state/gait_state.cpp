@@ -6,9 +6,7 @@
 namespace hexagait::gait_state {
 namespace {
 
-RingBits priority_positions(const GaitState& state) noexcept {
-  return from_before(state.bits, state.n) & ~state.bits;
-}
+using detail::priority_positions;
 
 /// The lowest of the preferred candidates, else the lowest of all.
 RingBits chosen(RingBits candidates, RingBits preferred) noexcept {
@@ -33,17 +31,15 @@ LegSet priority_legs(const GaitState& state) noexcept {
 }
 
 LegSet may_step(const GaitState& state, LegSet airborne) noexcept {
-  const int n = state.n;
-  const RingBits air = ring_bits(airborne, state.ring());
-  const RingBits barred = air | from_before(air, n) | from_after(air, n);
-  return legs_at(priority_positions(state) & ~barred, state.ring());
+  const Ring ring = state.ring();
+  return legs_at(detail::positions_that_may_step(state, ring_bits(airborne, ring)), ring);
 }
 
 GaitType type_of(const GaitState& state) noexcept {
   if (state.n != 6) return GaitType::none;
   const RingBits priority = priority_positions(state);
   const RingBits two_further = from_before(from_before(priority, 6), 6);
-  switch (std::popcount(priority)) {
+  switch (bit_count(priority)) {
     case 1:
       return GaitType::A;
     case 2:
@@ -67,7 +63,8 @@ GaitState adjusted(GaitState state, int ccn) noexcept {
 }
 
 GaitState balanced(const GaitState& state) noexcept {
-  return adjusted(state, std::clamp(state.ccn(), state.n / 2, (state.n + 1) / 2));
+  const int ccn = state.ccn(), nearest = std::clamp(ccn, state.n / 2, (state.n + 1) / 2);
+  return ccn == nearest ? state : adjusted(state, nearest);
 }
 
 GaitState after_step(GaitState state, LegId leg) noexcept {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <bit>
 #include <hexagait/gait_state/ring.hpp>
 #include <optional>
 #include <string>
@@ -28,12 +27,24 @@ struct GaitState {
   [[nodiscard]] constexpr Ring ring() const noexcept { return {n + lost.size(), lost}; }
 
   /// Clockwise circularity number: how many of the relations are `<` ([PC04] 3.2).
-  [[nodiscard]] constexpr int ccn() const noexcept { return std::popcount(bits); }
+  [[nodiscard]] constexpr int ccn() const noexcept { return bit_count(bits); }
   [[nodiscard]] constexpr bool is_cyclic() const noexcept {
     return bits == 0 || bits == ring_mask(n);
   }
   friend constexpr bool operator==(const GaitState&, const GaitState&) = default;
 };
+
+namespace detail {
+[[nodiscard]] constexpr RingBits priority_positions(const GaitState& state) noexcept {
+  return from_before(state.bits, state.n) & ~state.bits;
+}
+/// @param air  positions of legs that do not stand
+[[nodiscard]] constexpr RingBits positions_that_may_step(const GaitState& state,
+                                                         RingBits air) noexcept {
+  const RingBits barred = air | from_before(air, state.n) | from_after(air, state.n);
+  return priority_positions(state) & ~barred;
+}
+}  // namespace detail
 
 /// Legs inside `< a >`, which step before both of their neighbours. Never two neighbours; empty if
 /// and only if the state is cyclic.

@@ -32,12 +32,12 @@ EdgeFacts edge_facts(const GaitInput& input, double tolerance) noexcept {
   facts.b_airborne = from_after(facts.a_airborne, facts.n);
   const double first_lag = input.lag[leg_at(0, facts.ring)];
   double lag_b = first_lag;
-  for (int k = facts.n - 1; k >= 0; --k) {
-    const double lag_a = input.lag[leg_at(k, facts.ring)];
-    facts.a_lags |= RingBits{lag_a - lag_b > tolerance} << k;
-    facts.b_lags |= RingBits{lag_b - lag_a > tolerance} << k;
+  for_each_backwards(facts.ring, [&](LegId a) {
+    const double lag_a = input.lag[a];
+    facts.a_lags = facts.a_lags << 1 | RingBits{lag_a - lag_b > tolerance};
+    facts.b_lags = facts.b_lags << 1 | RingBits{lag_b - lag_a > tolerance};
     lag_b = lag_a;
-  }
+  });
   // Where b belongs to the first tripod, it wins ties. The last edge of an odd ring is between two of
   // them, and has no ties.
   facts.b_first = select(kOddPositions, ~facts.a_lags, facts.b_lags);
@@ -48,63 +48,82 @@ EdgeFacts edge_facts(const GaitInput& input, double tolerance) noexcept {
   return facts;
 }
 
-GaitState fresh_relations(const EdgeFacts& facts) noexcept {
+RingBits fresh_relations(const EdgeFacts& facts) noexcept {
   const RingBits one_airborne = facts.a_airborne ^ facts.b_airborne;
-  return {select(one_airborne, facts.b_airborne, facts.b_first) & ring_mask(facts.n), facts.n,
-          facts.ring.lost};
+  return select(one_airborne, facts.b_airborne, facts.b_first) & ring_mask(facts.n);
 }
 
 /// The raw relations (gait 3) with hysteresis.
-GaitState raw_relations(const EdgeFacts& facts, const GaitLatch& before,
-                        const GaitState& fresh) noexcept {
+RingBits raw_relations(const EdgeFacts& facts, const GaitLatch& before, RingBits fresh) noexcept {
   // Hysteresis applies to edges whose legs both stood at the last update too.
   const RingBits was_airborne = ring_bits(before.airborne, facts.ring);
   const RingBits settled =
       facts.both_on_ground() & ~was_airborne & ~from_after(was_airborne, facts.n);
   const RingBits contradicted = select(before.raw.bits, facts.a_lags, facts.b_lags);
   const RingBits kept = facts.both_airborne() | (settled & ~contradicted);
-  return {select(kept, before.raw.bits, fresh.bits), facts.n, facts.ring.lost};
+  return select(kept, before.raw.bits, fresh);
+}
+
+/// The first four lines of (gait 4), on relations and positions of one ring.
+struct Latching {
+  RingBits stored, raw_before, raw_now, fresh, urgent;
+  int n;
+};
+struct Latched {
+  RingBits bits;
+  bool was_cyclic;
+};
+Latched latched(const Latching& step) noexcept {
+  const RingBits changed = step.raw_before ^ step.raw_now;
+  const RingBits reconsidered = changed | step.urgent | from_after(step.urgent, step.n);
+  const RingBits bits = select(reconsidered, step.raw_now, step.stored);
+  const bool is_cyclic = GaitState{bits, step.n, {}}.is_cyclic();
+  return {is_cyclic ? step.fresh : bits, is_cyclic};
 }
 
 }  // namespace
 
 GaitState fresh_relations(const GaitInput& input, double tie_tolerance) noexcept {
-  return fresh_relations(edge_facts(input, tie_tolerance));
+  const EdgeFacts facts = edge_facts(input, tie_tolerance);
+  return {fresh_relations(facts), facts.n, input.lost};
 }
 
 Combined combine(const LatchStep& step) noexcept {
-  const int n = step.raw_now.n;
-  const RingBits urgent = ring_bits(step.urgent, step.raw_now.ring());
-  const RingBits changed = step.raw_before.bits ^ step.raw_now.bits;
-  const RingBits reconsidered = changed | urgent | from_after(urgent, n);
-  const GaitState latched{select(reconsidered, step.raw_now.bits, step.stored.bits), n,
-                          step.raw_now.lost};
-  return latched.is_cyclic() ? Combined{step.fresh, true} : Combined{latched, false};
+  const GaitState& now = step.raw_now;
+  const Latched result = latched({.stored = step.stored.bits,
+                                  .raw_before = step.raw_before.bits,
+                                  .raw_now = now.bits,
+                                  .fresh = step.fresh.bits,
+                                  .urgent = ring_bits(step.urgent, now.ring()),
+                                  .n = now.n});
+  return {{result.bits, now.n, now.lost}, result.was_cyclic};
 }
 
 GaitDecision GaitLatch::update(const GaitInput& input, const GaitParams& params) noexcept {
   const EdgeFacts facts = edge_facts(input, params.tie_tolerance);
-  const GaitState fresh = fresh_relations(facts);
-  if (raw.ring() != facts.ring) *this = {fresh, fresh, input.airborne};
+  const auto state_of = [&](RingBits bits) { return GaitState{bits, facts.n, input.lost}; };
+  const RingBits fresh = fresh_relations(facts);
+  if (raw.n != facts.n || raw.lost != input.lost)
+    *this = {state_of(fresh), state_of(fresh), input.airborne};
 
   // Without the latch, only the raw relations are remembered.
   const bool is_latched = params.adjustment == Adjustment::latched;
-  const GaitState raw_now = raw_relations(facts, *this, fresh);
-  const Combined combined = combine({.stored = is_latched ? stored : raw,
-                                     .raw_before = raw,
-                                     .raw_now = raw_now,
-                                     .fresh = fresh,
-                                     .urgent = input.urgent});
+  const RingBits raw_now = raw_relations(facts, *this, fresh);
+  const Latched combined = latched({.stored = is_latched ? stored.bits : raw.bits,
+                                    .raw_before = raw.bits,
+                                    .raw_now = raw_now,
+                                    .fresh = fresh,
+                                    .urgent = ring_bits(input.urgent, facts.ring),
+                                    .n = facts.n});
   GaitDecision decision;
-  decision.raw = combined.was_cyclic ? fresh : raw_now;
-  decision.state = combined.state;
-  decision.ccn_before_adjustment = combined.state.ccn();
+  decision.raw = state_of(combined.was_cyclic ? fresh : raw_now);
+  decision.state = state_of(combined.bits);
+  decision.ccn_before_adjustment = decision.state.ccn();
   decision.was_cyclic = combined.was_cyclic;
-  if (params.adjustment != Adjustment::none) {
-    decision.state = balanced(combined.state);
-  }
-  decision.priority = priority_legs(decision.state);
-  decision.may_step = gait_state::may_step(decision.state, input.airborne);
+  if (params.adjustment != Adjustment::none) decision.state = balanced(decision.state);
+  decision.priority = legs_at(detail::priority_positions(decision.state), facts.ring);
+  decision.may_step =
+      legs_at(detail::positions_that_may_step(decision.state, facts.a_airborne), facts.ring);
 
   *this = {decision.state, decision.raw, input.airborne};
   return decision;

@@ -68,9 +68,12 @@ namespace detail {
 
 /// Lookup tables from sets of legs to ring positions and back, six legs at a time.
 struct RingTable {
+  std::array<std::uint8_t, kMaxLegs> leg{};  ///< leg_at()
   std::array<std::array<std::uint16_t, 64>, 2> to_ring{}, to_legs{};
 
   constexpr explicit RingTable(int n) {
+    for (int k = 0; k < n; ++k)
+      leg[static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(leg_at(k, n));
     for (unsigned half = 0; half < 2; ++half) {
       for (unsigned six = 0; six < 64; ++six) {
         for (int k = 0; k < n; ++k) {
@@ -115,6 +118,16 @@ inline constexpr std::array kRingTables = {RingTable(4), RingTable(6), RingTable
 }
 
 }  // namespace detail
+
+/// Visits the legs of the ring from its last position to its first.
+template <class Visit>
+constexpr void for_each_backwards(const Ring& ring, Visit&& visit) {
+  const detail::RingTable& table = detail::ring_table(ring.legs);
+  for (int k = ring.legs - 1; k >= 0; --k) {
+    const LegId leg = table.leg[static_cast<std::size_t>(k)];
+    if (!ring.lost.contains(leg)) visit(leg);
+  }
+}
 
 [[nodiscard]] constexpr RingBits ring_bits(LegSet legs, const Ring& ring) noexcept {
   const detail::RingTable& table = detail::ring_table(ring.legs);

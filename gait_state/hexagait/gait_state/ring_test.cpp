@@ -123,6 +123,9 @@ TEST(Ring, ClosesOverLostLegsInTheSameOrder) {
       for (int k = 0; k < n; ++k)
         if (!ring.lost.contains(leg_at(k, n))) order.push_back(leg_at(k, n));
       ASSERT_EQ(static_cast<int>(order.size()), ring.size());
+      std::vector<LegId> backwards;
+      for_each_backwards(ring, [&](LegId leg) { backwards.insert(backwards.begin(), leg); });
+      EXPECT_EQ(backwards, order) << n << " legs, lost " << lost;
       for (int k = 0; k < ring.size(); ++k) {
         const auto at = [&](int j) {
           return order[static_cast<std::size_t>((j + ring.size()) % ring.size())];

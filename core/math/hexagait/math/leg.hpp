@@ -24,6 +24,15 @@ inline constexpr int kMaxLegJoints = 6;
 /// front: of six legs, 0 … 5 are LF RF LM RM LR RR, legs 1 … 6 of [PC04] Fig. 2.
 using LegId = int;
 
+/// How many bits are set. Inline: std::popcount() calls a library, since not every x86-64 processor
+/// has an instruction for it.
+[[nodiscard]] constexpr int bit_count(std::uint32_t bits) noexcept {
+  bits -= bits >> 1 & 0x55555555U;
+  bits = (bits & 0x33333333U) + (bits >> 2 & 0x33333333U);
+  bits = (bits + (bits >> 4)) & 0x0F0F0F0FU;
+  return static_cast<int>(bits * 0x01010101U >> 24);
+}
+
 /// A set of legs, one bit per leg.
 class LegSet {
  public:
@@ -39,7 +48,7 @@ class LegSet {
   constexpr void set(LegId leg, bool member) {
     bits_ = (bits_ & ~(1U << leg)) | (std::uint32_t{member} << leg);
   }
-  constexpr int size() const { return std::popcount(bits_); }
+  constexpr int size() const { return bit_count(bits_); }
   constexpr bool empty() const { return bits_ == 0; }
   constexpr std::uint32_t bits() const { return bits_; }
 
