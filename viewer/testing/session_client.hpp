@@ -7,6 +7,7 @@
 
 #include <hexagait/viewer/session/session.hpp>
 #include <string>
+#include <string_view>
 
 namespace hexagait::viewer::testing {
 
@@ -19,7 +20,8 @@ PoseFrame frame_when(const Session& session, Wanted wanted, std::string* setup =
   PoseFrame frame;
   for (int k = 0; k < 500; ++k) {
     while (session.newer_than(seen, letter)) {
-      if (letter.kind == Session::Mail::frame) frame = decode(letter.content);
+      std::string_view frames = letter.content;  // of a race, two
+      if (letter.kind == Session::Mail::frame) frame = decode_front(frames);
       if (letter.kind == Session::Mail::setup && setup != nullptr) *setup = letter.content;
     }
     if (wanted(frame)) return frame;

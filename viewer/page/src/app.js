@@ -59,10 +59,9 @@ class App {
   /** A walk that goes on, or a replay, as the server has it. */
   listen() {
     const { link } = this, tape = new Tape(kKept);
-    link.on("scene", (scene) => { [tape.scene, tape.ground, tape.setup, tape.rival] = [scene, null, null, null]; });
+    link.on("scene", (scene) => { [tape.scene, tape.ground, tape.setup] = [scene, null, null]; });
     link.on("ground", (told) => { if (told.scene === tape.scene?.scene) tape.ground = told; });
     link.on("setup", (setup) => { if (setup.scene === tape.scene?.scene) tape.setup = setup; });
-    link.on("rival", (bytes) => { tape.rival = bytes; });
     link.on("frame", (bytes) => { if (tape.add(bytes)) this.player.grown(); });
     link.on("action", (news) => this.panels.actions.show(news));
     link.on("error", ({ what }) => this.panels.notice(what));
@@ -104,7 +103,7 @@ class App {
     this.panels.timeline = this.timeline = new Timeline(this.player, live);
   }
 
-  show({ scene, ground, setup, rival, bytes }) {
+  show({ scene, ground, setup, bytes }) {
     if (scene !== this.scene) {
       this.scene = scene;
       this.begun = true;
@@ -119,8 +118,6 @@ class App {
       this.setup = setup;
       this.showSetup();
     }
-    this.rival = rival && decodeFrame(rival);
-    if (this.rival?.scene !== scene.scene) this.rival = null;
     this.take(decodeFrame(bytes));
   }
 
@@ -295,8 +292,9 @@ class App {
     if (this.timeline?.live) this.pad.poll(now);
     if (this.frame && this.robot) {
       this.robot.move(this.frame);
-      this.ghost.group.visible = Boolean(this.rival);
-      if (this.rival) this.ghost.move(this.rival);
+      const { rival } = this.frame;
+      this.ghost.group.visible = Boolean(rival);
+      if (rival) this.ghost.move(rival);
       this.overlays.update(this.frame);
       this.world.follow(this.frame.p, this.drawn === 0 || this.leap ? 1 : 0.08);
       this.leap = false;
@@ -318,7 +316,7 @@ class App {
     for (const strip of this.strips) strip.draw(this.colours);
     this.panels.showFrame(frame, this.world);
     if (this.timeline.live) this.panels.showStop(this.stopped, frame.fault);
-    this.panels.showRace(frame, this.rival, this.setup?.race);
+    this.panels.showRace(frame, this.setup?.race);
     this.timeline.show(frame);
   }
 }
@@ -330,7 +328,7 @@ try {
     frame: () => app.frame,
     scene: () => app.scene,
     setup: () => app.setup,
-    rival: () => app.rival,
+    rival: () => app.frame?.rival,
     cut: () => app.robot.lost,
     feet: () => { app.robot.move(app.frame); return { frame: app.frame, drawn: app.robot.footPositions() }; },
     you: () => app.link.you,

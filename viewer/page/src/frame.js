@@ -7,7 +7,7 @@ export const kVersion = 2;
 export const kPhases = ["support", "unload", "lift", "transfer", "descend", "retreat", "follow", "search", "hold", "lost"];
 export const kFaults = ["", "not started", "bad measurement", "plant late", "plant closed", "emergency stop", "bad command"];
 export const kEmergencyStop = kFaults.indexOf("emergency stop");
-const kFlags = { paused: 1, fell: 2, silent: 4, wave: 8, tripod: 16, holding: 32, follows: 64, rival: 128 };
+const kFlags = { paused: 1, fell: 2, silent: 4, wave: 8, tripod: 16, holding: 32, follows: 64 };
 const kTypes = ["–", "A", "B", "C", "D"];
 
 class Reader {
@@ -20,13 +20,21 @@ class Reader {
   u32() { this.at += 4; return this.view.getUint32(this.at - 4, true); }
   f32() { this.at += 4; return this.view.getFloat32(this.at - 4, true); }
   f64() { this.at += 8; return this.view.getFloat64(this.at - 8, true); }
+  get ends() { return this.at >= this.view.byteLength; }
   vector(n) { return Array.from({ length: n }, () => this.f32()); }
 }
 
-/** @param bytes  as a Uint8Array; what is behind the frame is not read
- *  @returns the frame, or null if it is of another version than this page */
+/** @param bytes  as a Uint8Array; in a race the frame of the second robot is behind that of the first; the zeros that
+ *                a replay has there are none
+ *  @returns the frame, with that of the second robot as `rival` (null: there is none); or null if it is of another
+ *           version than this page */
 export function decodeFrame(bytes) {
-  const r = new Reader(bytes);
+  const r = new Reader(bytes), frame = read(r);
+  if (frame) frame.rival = r.ends ? null : read(r);
+  return frame;
+}
+
+function read(r) {
   if (r.u8() !== kVersion) return null;
   const n = r.u8(), bits = r.u8(), fault = r.u8();
   const f = { fault, scene: r.u32(), tick: r.u32(), holder: r.u32(), time: r.f64(), factor: r.f32() };

@@ -65,7 +65,6 @@ export class Link extends EventTarget {
       if (isReplay(bytes)) return this.tell("replay", bytes);
       const frame = decodeFrame(bytes);
       if (!frame) return location.reload();  // the server is newer than this page
-      if (frame.rival) return this.tell("rival", bytes);  // before the frame of the same moment
       this.frame = frame;
       this.frames += 1;
       return this.tell("frame", bytes);

@@ -78,11 +78,11 @@ export class Panels {
 
   race(on = !this.races) { this.link.send(on ? { type: "race", on, gait: $("race-gait").value } : { type: "race", on }); }
 
-  /** How far both have come. @param rival  frame of the second robot; null: there is no race  @param gait  of it */
-  showRace(frame, rival, gait) {
+  /** How far both have come. @param gait  of the second robot; null: there is no race */
+  showRace(frame, gait) {
     this.races = Boolean(gait);
     if ($("race").getAttribute("aria-pressed") !== String(this.races)) $("race").setAttribute("aria-pressed", String(this.races));
-    const own = frame.tripod ? "tripod" : frame.wave ? "wave" : "free", ahead = rival ? frame.path - rival.path : 0;
+    const { rival } = frame, own = frame.tripod ? "tripod" : frame.wave ? "wave" : "free", ahead = rival ? frame.path - rival.path : 0;
     const far = (f) => `${f.path.toFixed(2)} m${f.fell ? ", fell" : ""}`;
     const words = rival ? `${own} ${far(frame)} · ${gait}, pale: ${far(rival)} · ${ahead < 0 ? "behind" : "ahead"} by ${Math.abs(ahead).toFixed(2)} m` : "";
     if ($("race-facts").hidden !== !rival) $("race-facts").hidden = !rival;

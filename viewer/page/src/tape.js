@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The hexagait authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What has been seen: frames in the order of time, each with its scene, ground and setup,
-// and of a race the frame of the second robot.
+// What has been seen: frames in the order of time, each with its scene, ground and setup.
 
 const kMostFrames = 36000;  // that are kept of a walk that goes on: 16 MB of them
 
@@ -18,7 +17,7 @@ export class Tape {
     this.span = span;
     this.entries = [];
     this.dropped = 0;  // before the first of them
-    this.scene = this.ground = this.setup = this.rival = null;
+    this.scene = this.ground = this.setup = null;
   }
 
   /** A frame goes on as the tick does; the same tick again replaces it. @returns whether it was of this scene */
@@ -28,7 +27,7 @@ export class Tape {
     const last = this.entries.at(-1), same = last?.scene === this.scene;
     if (same && head.tick === last.tick) this.entries.pop();
     const before = same ? last.clock - last.time : last ? last.clock : 0;
-    this.entries.push({ bytes, scene: this.scene, ground: this.ground, setup: this.setup, rival: this.rival, tick: head.tick, time: head.time, clock: before + head.time });
+    this.entries.push({ bytes, scene: this.scene, ground: this.ground, setup: this.setup, tick: head.tick, time: head.time, clock: before + head.time });
     this.forget();
     return true;
   }

@@ -45,6 +45,8 @@ struct LegFrame {
 ///     u8   corners of the support polygon;              f32  x, y of each
 ///
 /// * in steps of 2⁻¹⁶
+///
+/// In a race the frame of the second robot, of the same instant, is behind that of the first.
 struct PoseFrame {
   static constexpr std::uint8_t kVersion = 2;
   enum Flag : std::uint8_t {
@@ -55,7 +57,6 @@ struct PoseFrame {
     tripod = 16,   ///< gait: the tripod that waits
     holding = 32,  ///< the measurement is late: the robot holds still
     follows = 64,  ///< a path on the ground
-    rival = 128,   ///< it is of the second robot of a race
   };
 
   std::uint8_t flags = 0;

@@ -14,8 +14,8 @@ namespace hexagait::viewer {
 /// may be called from any thread.
 class Host {
  public:
-  enum class Mail : std::uint8_t { scene, ground, setup, action, notice, rival, frame };
-  static constexpr int kMailKinds = 7;
+  enum class Mail : std::uint8_t { scene, ground, setup, action, notice, frame };
+  static constexpr int kMailKinds = 6;
   /// What a client has seen of each kind of mail.
   struct Seen {
     std::uint64_t number[kMailKinds] = {};

@@ -265,10 +265,9 @@ class Server::Impl {
     }
     Host::Letter letter;
     if (!host_.newer_than(client.seen, letter)) return 0;
-    using Mail = Host::Mail;
-    const bool is_binary = letter.kind == Mail::frame || letter.kind == Mail::rival;
-    if (letter.kind != Mail::frame) lws_callback_on_writable(socket);
-    return write(socket, letter.content, is_binary ? LWS_WRITE_BINARY : LWS_WRITE_TEXT) ? 0 : -1;
+    const bool is_frame = letter.kind == Host::Mail::frame;
+    if (!is_frame) lws_callback_on_writable(socket);
+    return write(socket, letter.content, is_frame ? LWS_WRITE_BINARY : LWS_WRITE_TEXT) ? 0 : -1;
   }
 
   Access access_;

@@ -355,14 +355,14 @@ void Session::publish() {
     statistics_.path = frame.path;
     statistics_.processor = processor_seconds();
   }
-  if (rival_ != nullptr) {
+  if (options_.replay != nullptr) options_.replay->frame(frame, joints_);
+  std::string frames = encode(frame, joints_);
+  if (rival_ != nullptr) {  // in the same letter: two of one moment, however slow a client is
     PoseFrame rival = rival_->frame();
     rival.scene = scene_;
-    rival.flags |= PoseFrame::rival;
-    post(Mail::rival, encode(rival, joints_));
+    frames += encode(rival, joints_);
   }
-  if (options_.replay != nullptr) options_.replay->frame(frame, joints_);
-  post(Mail::frame, encode(frame, joints_));
+  post(Mail::frame, std::move(frames));
   const auto now = Clock::now(), next = frame_due_ + seconds(1.0 / options_.frame_rate);
   frame_due_ = next > now ? next : now + seconds(1.0 / options_.frame_rate);
   changed_ = false;

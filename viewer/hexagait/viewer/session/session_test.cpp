@@ -338,11 +338,16 @@ TEST(Session, RacesTwoRobots) {
   Session::Seen seen;
   Session::Letter letter;
   PoseFrame own, rival;
-  for (int k = 0; k < 3000 && (rival.path < 1.5 || own.time != rival.time); ++k) {
+  for (int k = 0; k < 3000 && rival.path < 1.5; ++k) {
     EXPECT_THAT(session.receive(client, R"({"type":"beat"})"), IsEmpty());
     while (session.newer_than(seen, letter)) {
-      if (letter.kind == Session::Mail::frame) own = decode(letter.content);
-      if (letter.kind == Session::Mail::rival) rival = decode(letter.content);
+      if (letter.kind != Session::Mail::frame) continue;
+      std::string_view frames = letter.content;
+      own = decode_front(frames);
+      if (!frames.empty()) rival = decode(frames);
+      if (rival.scene == own.scene) {
+        EXPECT_EQ(own.time, rival.time);  // of one moment, however slow the client is
+      }
     }
     std::this_thread::sleep_for(milliseconds(10));
   }
@@ -350,9 +355,8 @@ TEST(Session, RacesTwoRobots) {
   EXPECT_EQ(own.time, rival.time);
   EXPECT_GT(own.path, rival.path);  // over rough ground the tripod that waits is slower
   EXPECT_EQ(rival.scene, 2U);
-  EXPECT_EQ(rival.flags & (PoseFrame::rival | PoseFrame::tripod),
-            PoseFrame::rival | PoseFrame::tripod);
-  EXPECT_EQ(own.flags & (PoseFrame::rival | PoseFrame::tripod), 0);
+  EXPECT_EQ(rival.flags & PoseFrame::tripod, PoseFrame::tripod);
+  EXPECT_EQ(own.flags & PoseFrame::tripod, 0);
   EXPECT_THAT(session.receive(client, R"({"type":"reset"})"), IsEmpty());
   EXPECT_THAT(setup_with(session, R"("race":null)"), HasSubstr(R"("scene":3)"));
 }
