@@ -271,7 +271,7 @@ TEST(Walker, KeepsItsBaseInsideOnStairs) {
 
 // (balance 1) Twice as much with drives that are late by 6 ms.
 TEST(Walker, WaitsForMoreBalanceIfItsDrivesAreLate) {
-  const RoughLifts prompt = rough_lifts(1.0, 0, 2.0), late = rough_lifts(1.0, 3, 2.0);
+  const RoughLifts prompt = rough_lifts(1.0, 0, 2.4), late = rough_lifts(1.0, 3, 2.4);
   EXPECT_GT(late.all, 80);
   EXPECT_GT(4 * prompt.scant, prompt.all);
   EXPECT_LT(20 * late.scant, late.all);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <hexagait/executor/gravity_sense.hpp>
 #include <hexagait/model/kinematics.hpp>
+#include <hexagait/model/leg_weight.hpp>
 
 namespace hexagait {
 namespace {
@@ -14,30 +15,34 @@ constexpr double kKnown = 1.25;  // λ is known once r has varied for so long as
 constexpr double kNoise = 0.3;   // σ₀ [rad]
 constexpr double kAmiss = 0.15;    // ρ₀
 constexpr double kMost = 0.6;      // more in one tick is an impact [rad]
-constexpr double kTrusted = 0.08;  // odometry is, within this [rad]
+constexpr double kTrusted = 0.04;  // odometry is, within this [rad]
+constexpr double kLate = 1.4;      // share of what motion changes within the lag
 constexpr int kSteady = 3;         // feet
 
-// J⁻ᵀ e and J⁻ᵀ q̇* of (odometry 6).
-struct Forces {
-  Vector3 of_deflection, of_speed;
-};
-
-Forces forces(const LegModel& leg, const LegTrig& trig, const LegJoints& deflection,
-              const LegJoints& speed) {
-  const LegJacobian J = foot_jacobian(leg, trig);
-  if (leg.num_joints() == 3) {
-    const Vector3 a = J.col(0), b = J.col(1), c = J.col(2);
-    const Vector3 bc = b.cross(c), ca = c.cross(a), ab = a.cross(b);
-    const double scale = 1.0 / a.dot(bc);
-    const auto solved = [&](const LegJoints& v) {
-      return Vector3(scale * (v[0] * bc + v[1] * ca + v[2] * ab));
-    };
-    return {solved(deflection), solved(speed)};
+// Efforts as a force on the foot, J⁻ᵀ τ.
+class FootForce {
+ public:
+  FootForce(const LegModel& leg, const LegTrig& trig) : J_(foot_jacobian(leg, trig)) {
+    if (leg.num_joints() == 3) {
+      const Vector3 a = J_.col(0), b = J_.col(1), c = J_.col(2);
+      const Vector3 bc = b.cross(c);
+      inverse_ << bc, c.cross(a), a.cross(b);
+      inverse_ *= 1.0 / a.dot(bc);
+    } else {  // redundant joints: the force that explains the efforts best
+      inverse_ = (J_ * J_.transpose()).inverse();
+      redundant_ = true;
+    }
   }
-  // Redundant joints: the force that explains the efforts best.
-  const Matrix3 inverse = (J * J.transpose()).inverse();
-  return {inverse * (J * deflection), inverse * (J * speed)};
-}
+
+  Vector3 of(const LegJoints& effort) const {
+    return redundant_ ? Vector3(inverse_ * (J_ * effort)) : Vector3(inverse_ * effort.head<3>());
+  }
+
+ private:
+  LegJacobian J_;
+  Matrix3 inverse_;
+  bool redundant_ = false;
+};
 
 }  // namespace
 
@@ -46,19 +51,26 @@ double GravitySense::lag() const noexcept { return rr_ > 0.0 ? std::max(0.0, rs_
 Vector3 GravitySense::update(const RobotModel& model, const RobotState& state,
                              const JointTargets& targets, LegSet lost, int stand, double dt,
                              const ToleranceParams& tolerance) noexcept {
+  const int n = model.num_legs();
   // What was learnt with a leg that did not answer is wrong.
-  if (lost != lost_) {
+  if (lost != lost_ || own_.size() != n) {
     *this = {};
     lost_ = lost;
+    own_ = LegArray<Vector3>(n, Vector3::Zero());
   }
   if (stand < kSteady || !(tolerance.servo_stiffness > 0.0)) return Vector3::Zero();
+  const Vector3 up_B = state.X_OB.R.row(2);
+  // The weight of one leg a tick: it is felt as a mean over much longer than a round takes.
+  next_ = (next_ + 1) % n;
   Vector3 s = Vector3::Zero(), r = Vector3::Zero();
-  for (LegId i = 0; i < model.num_legs(); ++i) {
+  for (LegId i = 0; i < n; ++i) {
     if (lost.contains(i)) continue;  // it carries nothing, however far it is off its targets
-    const Forces of =
-        forces(model.legs[i], state.trig[i], targets.q[i] - state.q[i], targets.qd[i]);
-    s -= tolerance.servo_stiffness * of.of_deflection;
-    r -= tolerance.servo_stiffness * of.of_speed;
+    const LegModel& leg = model.legs[i];
+    const FootForce force(leg, state.trig[i]);
+    s -= tolerance.servo_stiffness * force.of(targets.q[i] - state.q[i]);
+    r -= tolerance.servo_stiffness * force.of(targets.qd[i]);
+    if (i == next_) own_[i] = force.of(leg_weight(leg, state.q[i], up_B).effort) / model.mass;
+    s += own_[i];
   }
   if (!s.allFinite() || !r.allFinite()) return Vector3::Zero();  // a leg is stretched
 
@@ -72,7 +84,6 @@ Vector3 GravitySense::update(const RobotModel& model, const RobotState& state,
   rr_ += slow * (vary.squaredNorm() - rr_);
   if (kKnown * speed2_ > kForgets * rr_) return Vector3::Zero();
 
-  const Vector3 up_B = state.X_OB.R.row(2);
   Vector3 off = s - lag() * r;
   const double amiss = (up_B + off).norm() - 1.0;
   off -= off.dot(up_B) * up_B;
@@ -81,9 +92,11 @@ Vector3 GravitySense::update(const RobotModel& model, const RobotState& state,
   noise2_ += slow * ((off - mean_).squaredNorm() - noise2_);
   amiss2_ += slow * (amiss * amiss - amiss2_);
   const double mean = mean_.norm();
-  if (mean <= kTrusted) return Vector3::Zero();
+  const double late = kLate * lag() * lag() / tau;
+  const double trusted = std::sqrt(kTrusted * kTrusted + late * late * rr_);
+  if (mean <= trusted) return Vector3::Zero();
   const double doubt = noise2_ / (kNoise * kNoise) + amiss2_ / (kAmiss * kAmiss);
-  return fast * (1.0 - kTrusted / mean) / (1.0 + doubt * doubt) * off;
+  return fast * (1.0 - trusted / mean) / (1.0 + doubt * doubt) * off;
 }
 
 }  // namespace hexagait

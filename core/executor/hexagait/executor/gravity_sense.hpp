@@ -11,9 +11,10 @@ namespace hexagait {
 /// Where up is, felt in the joints: a robot without an inertial sensor whose odometry has lost its tilt
 /// still stands under its weight. The executor feeds forward the efforts with which the feet would carry
 /// the weight m g û along what odometry takes for up, û. If up is u, the servos of stiffness K give way
-/// by e = q* − q until the feet carry m g u, so the sum of their forces says (statics of each leg)
+/// by e = q* − q until the feet carry m g u. They also hold the links of their legs, by the efforts w_i of
+/// (weight 1). So the sum of their forces says (statics of each leg)
 ///
-///     u − û = s − λ r,   s = −(K/m g) Σ_i J_i⁻ᵀ e_i,   r = −(K/m g) Σ_i J_i⁻ᵀ q̇*_i     (odometry 6)
+///     u − û = s − λ r,   s = Σ_i J_i⁻ᵀ (w_i − K e_i)/m g,   r = −(K/m g) Σ_i J_i⁻ᵀ q̇*_i     (odometry 6)
 ///
 /// across û. Forces of the feet against each other cancel in the sum. The servos are late by λ, which shows
 /// in how s varies with r; it is the least-squares slope of the two, each less its mean over the last τ.
@@ -21,7 +22,7 @@ namespace hexagait {
 ///
 ///     dû/dt = w (s − λ r) / τ_n,   τ_n = τ (1 + (σ²/σ₀² + ρ²/ρ₀²)²)                     (odometry 7)
 ///
-/// with w = max(0, 1 − ε/|mean of s − λ r over τ|): odometry is trusted within ε = 0.08 rad. σ² is the variance
+/// with w = max(0, 1 − ε/|mean of s − λ r over τ|): odometry is trusted within ε = 0.04 rad. σ² is the variance
 /// of s − λ r, ρ² the mean of (|û + s − λ r| − 1)², since up is a unit vector however far off û is: dry friction, and
 /// servos that take no effort, make that large, and then the joints say nothing. Nothing is corrected while the
 /// robot tips over less than three feet, nor before λ is known well enough for the speed of the joints.
@@ -43,6 +44,8 @@ class GravitySense {
   [[nodiscard]] double lag() const noexcept;
 
  private:
+  LegArray<Vector3> own_;                                        ///< Jᵢ⁻ᵀ wᵢ/(m g)
+  LegId next_ = 0;                                               ///< the last one that was computed
   Vector3 mean_s_ = Vector3::Zero(), mean_r_ = Vector3::Zero();  ///< over the last τ
   Vector3 mean_ = Vector3::Zero();  ///< of s − λ r, over the last τ
   double rs_ = 0.0, rr_ = 0.0;      ///< covariance of r and s, variance of r

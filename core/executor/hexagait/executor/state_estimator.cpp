@@ -8,6 +8,9 @@
 namespace hexagait {
 namespace {
 
+// A leg that is gone is found within 6 times the time of a lift (argos, 36 walks), a second one after three times as much.
+constexpr double kFound = 8.0, kFoundNext = 24.0;
+
 // Contact without a sensor: at the expected height of the ground.
 bool planned_contact(const LegLane& lane, const Pose& X_OB) {
   switch (lane.phase) {
@@ -98,8 +101,9 @@ void StateEstimator::feel_gravity(RobotState& state, const Executor& executor,
   }
   const Vector3 felt = gravity_.update(*model_, state, executor.targets(), executor.lost(),
                                        feel.size(), dt, odometry_.tolerance());
+  const double found = (executor.lost().empty() ? kFound : kFoundNext) * params.swing.lift_time;
   const Vector3 change =
-      felt_while_held_.update(felt, held_in_air(executor), stand, executor.lost());
+      felt_while_held_.update(felt, held_in_air(executor), stand, executor.lost(), dt, found);
   if (change.isZero()) return;
   const Vector3 up_B = state.X_OB.R.row(2);
   odometry_.level(state, (up_B + change).normalized(), footing);

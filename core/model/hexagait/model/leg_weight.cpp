@@ -14,46 +14,51 @@ Matrix3 inertia_about(const Vector3& p_BM, const LinkModel& link, const Pose& X_
          link.mass * (arm.squaredNorm() * Matrix3::Identity() - arm * arm.transpose());
 }
 
-// First moment of mass of a leg. From the foot inwards, each joint turns all that is beyond it, as it is with the
-// joints farther in at zero.
-Vector3 first_moment(const LegModel& leg, const LegJoints& q) {
-  Vector3 moment_B = Vector3::Zero();
+// From the foot inwards, each joint turns all that is beyond it, as it is with the joints farther in at zero.
+struct Outer {
+  Vector3 moment_B = Vector3::Zero();  // first moment of mass of the links beyond the joint
   double mass = 0.0;
-  for (int i = leg.num_joints(); i-- > 0;) {
-    const LinkModel& link = leg.links[i];
+
+  // @returns what the joint turns, with its point on the axis as the origin
+  Vector3 turn_about(const LegModel& leg, int joint, double cosine, double sine) {
+    const LinkModel& link = leg.links[joint];
     mass += link.mass;
     moment_B += link.mass * (link.X_BL0 * link.p_LM);
-    const Vector3 at_joint = mass * leg.p_BJ0[i];
-    const auto [sine, cosine] = portable::sincos(q[i]);
-    moment_B = at_joint + detail::turned(moment_B - at_joint, leg.axis_B0[i], cosine, sine);
+    const Vector3 at_joint = mass * leg.p_BJ0[joint];
+    const Vector3 arm = detail::turned(moment_B - at_joint, leg.axis_B0[joint], cosine, sine);
+    moment_B = at_joint + arm;
+    return arm;
   }
-  return moment_B;
+};
+
+Vector3 first_moment(const LegModel& leg, const LegJoints& q) {
+  Outer outer;
+  for (int i = leg.num_joints(); i-- > 0;) {
+    const auto [sine, cosine] = portable::sincos(q[i]);
+    outer.turn_about(leg, i, cosine, sine);
+  }
+  return outer.moment_B;
 }
 
 }  // namespace
 
 LegWeight leg_weight(const LegModel& leg, const LegJoints& q, const Vector3& g_up_B) noexcept {
   const int joints = leg.num_joints();
-  JointArray<Vector3> p_BJ(joints), axis_B(joints), moment_B(joints);
-
-  // From the hip outwards: joints and centres of mass of the links.
-  Pose X_BB0;  // displacement of the present link from its pose with all joints at zero
+  JointArray<double> c(joints), s(joints);
+  JointArray<Vector3> g_up(joints);  // as each joint sees it with those farther in at zero
+  Vector3 g = g_up_B;
   for (int i = 0; i < joints; ++i) {
-    p_BJ[i] = X_BB0 * leg.p_BJ0[i];
-    axis_B[i] = X_BB0.R * leg.axis_B0[i];
-    X_BB0 = X_BB0 * rotation_about(leg.p_BJ0[i], rotation(leg.axis_B0[i] * q[i]));
-    const LinkModel& link = leg.links[i];
-    moment_B[i] = link.mass * (X_BB0 * (link.X_BL0 * link.p_LM));
+    const auto [sine, cosine] = portable::sincos(q[i]);
+    s[i] = sine;
+    c[i] = cosine;
+    g_up[i] = g;
+    g = detail::turned(g, leg.axis_B0[i], c[i], -s[i]);
   }
-
-  // Back inwards: each joint holds all links beyond it.
   LegWeight weight;
-  double mass = 0.0;
-  for (int i = joints; i-- > 0;) {
-    mass += leg.links[i].mass;
-    weight.moment_B += moment_B[i];
-    weight.effort[i] = axis_B[i].dot((weight.moment_B - mass * p_BJ[i]).cross(g_up_B));
-  }
+  Outer outer;
+  for (int i = joints; i-- > 0;)
+    weight.effort[i] = leg.axis_B0[i].dot(outer.turn_about(leg, i, c[i], s[i]).cross(g_up[i]));
+  weight.moment_B = outer.moment_B;
   return weight;
 }
 
