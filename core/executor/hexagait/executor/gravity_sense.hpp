@@ -20,14 +20,16 @@ namespace hexagait {
 /// in how s varies with r; it is the least-squares slope of the two, each less its mean over the last τ.
 /// Up is corrected slowly,
 ///
-///     dû/dt = w (s − λ r) / τ_n,   τ_n = τ (1 + (σ²/σ₀² + ρ²/ρ₀²)²)                     (odometry 7)
+///     dû/dt = c (s − λ r) / τ_n,   τ_n = τ (1 + (σ²/σ₀² + ρ²/ρ₀²)²),   ε² = ε₀² + (1.4 λ² |r|/τ)²   (odometry 7)
 ///
-/// with w = max(0, 1 − ε/|mean of s − λ r over τ|): odometry is trusted within ε = 0.04 rad. σ² is the variance
+/// with c = max(0, 1 − ε/|mean of s − λ r over τ|): odometry is trusted within ε₀ = 0.04 rad, and further with drives
+/// that are late, by what motion changes within their lag. σ² is the variance
 /// of s − λ r, ρ² the mean of (|û + s − λ r| − 1)², since up is a unit vector however far off û is: dry friction, and
 /// servos that take no effort, make that large, and then the joints say nothing. Nothing is corrected while the
 /// robot tips over less than three feet, nor before λ is known well enough for the speed of the joints.
 ///
-/// K/(m g) need not be known well: it scales the rate of the correction, and ε. A value.
+/// K/(m g) need not be known well: it scales the rate of the correction, and ε; if it is half or twice as large, up is
+/// off by 0.02 rad more (argos), for the weight of the legs. A value.
 class GravitySense {
  public:
   /// Of a robot whose legs have three joints or more: those of two can't tell what carries them sideways.
