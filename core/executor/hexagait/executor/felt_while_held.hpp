@@ -26,10 +26,9 @@ class FeltWhileHeld {
                  double found) noexcept;
 
  private:
-  LegArray<Vector3>
-      turned_;             ///< since the leg was held first; 0 of legs that are not in held_ [rad]
-  LegArray<double> time_;  ///< the same: how long ago that was [s]
-  LegSet held_;            ///< legs that were held and have not stood since
+  LegSet held_;  ///< legs that were held and have not stood since; of the others both below are 0
+  LegArray<Vector3> turned_;  ///< what up has turned since a leg was held first [rad]
+  LegArray<double> time_;     ///< how long ago that was [s]
 };
 
 }  // namespace hexagait

@@ -16,7 +16,7 @@ constexpr double kNoise = 0.3;   // σ₀ [rad]
 constexpr double kAmiss = 0.15;    // ρ₀
 constexpr double kMost = 0.6;      // more in one tick is an impact [rad]
 constexpr double kTrusted = 0.04;  // odometry is, within this [rad]
-constexpr double kLate = 1.4;      // share of what motion changes within the lag
+constexpr double kLate = 1.4;      // times what motion changes within the lag
 constexpr int kSteady = 3;         // feet
 
 // Efforts as a force on the foot, J⁻ᵀ τ.
