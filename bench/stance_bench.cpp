@@ -47,7 +47,8 @@ void efforts(benchmark::State& state, WholeBodyController controller, LegSet sup
                        trig,
                        LegArray<Vector3>(6),
                        LegArray<double>(6, 0.0),
-                       Vector3::UnitZ(),
+                       Matrix3::Identity(),
+                       argos().p_BM,
                        LegArray<Vector3>(6, Vector3::UnitZ()),
                        {}};
   for (LegId i = 0; i < 6; ++i) {

@@ -12,12 +12,16 @@ constexpr double kSlowShare = 1.0;         // time constant of the slow part
 constexpr double kClosedShare = 1.25;      // high above the ground
 constexpr double kStoppedShare = 1.5;      // in all, and no contact since
 constexpr double kNoiseMemoryShare = 2.5;  // of the noise's mean
-constexpr double kFlickerShare = 10.0;     // in which flickers count, high above the ground
+constexpr double kSinkingShare = 0.05;  // under its load: the feet that are up had better come down
+constexpr double kSunkShare = 0.25;     // the same, until it is lost
+constexpr double kFlickerShare = 10.0;  // in which flickers count, high above the ground
 
 constexpr double kWindow = 0.07 * 0.07;    // asked of a leg before its answer is judged [rad² s]
 constexpr double kAnswer = 0.25;           // least share of what is asked
 constexpr int kWindows = 4;                // in a row
 constexpr int kWindowsMore = 12;           // the same of a second leg
+constexpr double kSinking = 0.3;           // of blocked_error
+constexpr double kSunk = 0.5;              // of blocked_error
 constexpr double kHigh = 0.5;              // of the clearance
 constexpr double kStopShare = 0.125;       // of blocked_error
 constexpr double kBelow = 2.0;             // touchdown_margin below where the ground is expected
@@ -66,15 +70,45 @@ bool is_below(const LegLane& lane, const Executor& executor, const RobotState& s
   return (state.X_OB * lane.p_BF).z() < lane.step.p_OT.z() - below;
 }
 
+// How much farther above its set point the foot of each leg that should bear its full share is than those of the others
+// that should, on average [m]. 0 where set points do not hold the robot: without reflexes, with legs of two joints, whose
+// feet slide, and where standing legs are driven by efforts. 0 also once a leg is lost: the robot may fall onto sound legs.
+LegArray<double> sunk(const RobotModel& model, const Executor& executor, const RobotState& state) {
+  LegArray<double> sunk(model.num_legs(), 0.0);
+  const ExecutorParams& params = executor.params();
+  if (!params.swing.reflexes || params.controller != WholeBodyController::kinematic ||
+      model.legs[0].has_two_joints() || !executor.lost().empty())
+    return sunk;
+  const Vector3 up_B = state.X_OB.R.row(2);
+  const auto bears = [&](LegId i) {
+    const LegLane& lane = executor.legs()[i];
+    return lane.phase == LegPhase::support && lane.load > 1.0 - kTimeTolerance;
+  };
+  double sum = 0.0, feet = 0.0;
+  for (LegId i = 0; i < model.num_legs(); ++i) {
+    if (!bears(i)) continue;
+    sunk[i] = up_B.dot(executor.off(i));
+    sum += sunk[i];
+    feet += 1.0;
+  }
+  for (LegId i = 0; i < model.num_legs(); ++i)
+    if (bears(i)) sunk[i] = feet > 1.0 ? sunk[i] - (sum - sunk[i]) / (feet - 1.0) : 0.0;
+  return sunk;
+}
+
 }  // namespace
 
 LegWatch::LegWatch(int legs) : legs_(legs) {}
 
 void LegWatch::watch(const RobotModel& model, const Executor& executor, const RobotState& state,
-                     const Measurement& measurement, SensorMask sensors, double dt) noexcept {
+                     const Measurement& measurement, SensorMask sensors, bool level,
+                     double dt) noexcept {
+  const LegArray<double> below = sunk(model, executor, state);
+  const bool all_bear = level && std::ranges::none_of(executor.legs(), &LegLane::regains);
   for (LegId i = 0; i < legs_.size(); ++i) {
     if (executor.lost().contains(i)) continue;
     if (sensors.joint_feedback) watch_answer(i, executor, measurement.q[i], dt);
+    if (sensors.joint_feedback) watch_load(i, executor, below[i], all_bear, dt);
     if (sensors.joint_feedback) watch_noise(i, executor, measurement.q[i], dt);
     if (sensors.foot_contacts) watch_contact(i, executor, state, measurement.contact[i], dt);
   }
@@ -104,6 +138,18 @@ void LegWatch::watch_answer(LegId leg, const Executor& executor, const LegJoints
   of.asked = of.answered = 0.0;
   if (of.silent_windows >= (executor.lost().empty() ? kWindows : kWindowsMore))
     findings_.silent.insert(leg);
+}
+
+// (watch 2). Where a foot has lost its contact first, its leg may be gone, and the robot falls onto sound ones.
+void LegWatch::watch_load(LegId leg, const Executor& executor, double sunk, bool all_bear,
+                          double dt) noexcept {
+  const SwingParams& swing = executor.params().swing;
+  Leg& of = legs_[leg];
+  const bool sinks = sunk > kSinking * swing.blocked_error && (all_bear || of.sinking > 0.0);
+  of.sinking = sinks ? of.sinking + dt : 0.0;
+  of.sunk = sinks && sunk > kSunk * swing.blocked_error ? of.sunk + dt : 0.0;
+  sinking_.set(leg, of.sinking > kSinkingShare * swing.lift_time);
+  if (of.sunk > kSunkShare * swing.lift_time) findings_.silent.insert(leg);
 }
 
 void LegWatch::watch_contact(LegId leg, const Executor& executor, const RobotState& state,

@@ -12,7 +12,8 @@ namespace hexagait::footstep_gen {
 /// What has been found. A leg that is silent or noisy and a contact that flickers stay so until the next start(); a
 /// stuck contact is believed again when it changes after all.
 struct LegFindings {
-  LegSet silent;        ///< joints do not follow: the leg is dead or gone, and is lost
+  /// Joints do not follow, or give way under their load: the leg is dead or gone, and is lost.
+  LegSet silent;
   LegSet stuck_closed;  ///< the contact never opens, not even high above the ground
   LegSet stuck_open;    ///< the contact never closes, not even where the ground stops the foot
   LegSet flickering;    ///< the contact closes high up for an instant, again and again
@@ -32,8 +33,16 @@ struct LegFindings {
 ///     ∫ h(q*) · h(q) dt < 1/4 ∫ |h(q*)|² dt      in four windows of (0.07 rad)² s in a row        (watch 1)
 ///
 /// A leg that is blocked still rises, and delays of a servo are far shorter than a lift. Of a second leg
-/// twelve windows are asked: with one gone feet are easily pinned. (A foot in support that is off its set
-/// point tells sooner, but on rough ground and with slow drives it tells of good legs.)
+/// twelve windows are asked: with one gone feet are easily pinned. Sooner on about level ground, while it stands and is to bear its
+/// full share of the weight, with h = up · (p_F − p_F*) how far its foot is above its set point, and h̄ the mean of the
+/// others that bear theirs,
+///
+///     h − h̄ > blocked_error/2  for a quarter of the time of a lift without a break                   (watch 2)
+///
+/// A dead leg does not bear, and the robot sinks on it. Of sound legs loads are evened out (executor 2), and h differs by
+/// millimetres, also where servos take no efforts and all feet give way. It is not asked while a foot has lost its contact,
+/// nor of a second leg: a robot that falls may fall onto sound legs.
+/// Before, from 3/10 of blocked_error for a twentieth of the time of a lift on, it counts as sinking().
 ///
 /// **Stuck closed.** The contact of a foot reads closed for 1.25 times the time of a lift without a break while the foot is
 /// measured higher than half of its clearance above where it lifted.
@@ -54,10 +63,14 @@ class LegWatch {
   explicit LegWatch(int legs = 0);
 
   /// Takes the measurement of this tick, with executor and state as the tick before left them.
+  /// @param level  the ground is about level: feet that stand bear
   void watch(const RobotModel& model, const Executor& executor, const RobotState& state,
-             const Measurement& measurement, SensorMask sensors, double dt) noexcept;
+             const Measurement& measurement, SensorMask sensors, bool level, double dt) noexcept;
 
   [[nodiscard]] const LegFindings& findings() const { return findings_; }
+
+  /// Legs that do not bear the weight that they should at the moment: the robot sinks on them.
+  [[nodiscard]] LegSet sinking() const { return sinking_; }
 
   /// The measurement with what is not believed replaced: contacts by where the ground stops the foot,
   /// or a little below where it is expected,
@@ -70,16 +83,19 @@ class LegWatch {
     LegJoints target_slow = LegJoints::Zero(), q_slow = LegJoints::Zero();
     double asked = 0.0, answered = 0.0;  ///< of (watch 1), in the present window [rad² s]
     int silent_windows = 0;
-    double closed_high = 0.0;  ///< how long the contact has been closed high up [s]
-    double flickers = 0.0;     ///< how often it has been for an instant, of late
-    double pressed = 0.0;      ///< how long the ground has stopped the foot, without a break [s]
-    double stopped = 0.0;      ///< the same in all, and no contact since [s]
+    double sinking = 0.0, sunk = 0.0;  ///< how long the robot has sunk on it, without a break [s]
+    double closed_high = 0.0;          ///< how long the contact has been closed high up [s]
+    double flickers = 0.0;             ///< how often it has been for an instant, of late
+    double pressed = 0.0;  ///< how long the ground has stopped the foot, without a break [s]
+    double stopped = 0.0;  ///< the same in all, and no contact since [s]
     LegJoints error_before = LegJoints::Zero(), error_before_that = LegJoints::Zero();
     int errors = 0;         ///< in a row without a retreat, up to the three of a second difference
     double variance = 0.0;  ///< of the noisiest joint [rad²]
   };
 
   void watch_answer(LegId leg, const Executor& executor, const LegJoints& q, double dt) noexcept;
+  void watch_load(LegId leg, const Executor& executor, double sunk, bool all_bear,
+                  double dt) noexcept;
   void watch_contact(LegId leg, const Executor& executor, const RobotState& state, bool contact,
                      double dt) noexcept;
   void watch_noise(LegId leg, const Executor& executor, const LegJoints& q, double dt) noexcept;
@@ -88,6 +104,7 @@ class LegWatch {
 
   LegArray<Leg> legs_;
   LegFindings findings_;
+  LegSet sinking_;
   bool started_ = false;  ///< there was a tick before
 };
 

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <hexagait/footstep_gen/walker.hpp>
+#include <hexagait/model/kinematics.hpp>
 #include <testing/control_period.hpp>
 #include <testing/kinematic_plant.hpp>
 
@@ -154,6 +155,24 @@ TEST(LegWatch, FindsALegThatIsGoneAndNoNoiseInIt) {
     EXPECT_TRUE(found.noisy.empty()) << k;
     EXPECT_EQ(walk.walker.lost_legs(), set_of({4})) << k;
   }
+}
+
+// (watch 2) From 3 s on foot 4 is found above its set point whenever it is to bear its full share.
+TEST(LegWatch, FindsALegThatGivesWayUnderItsLoad) {
+  const auto silent_with = [](double sunk) {
+    Walk walk;
+    const double blocked_error = walk.walker.params().executor.swing.blocked_error;
+    walk.go_on(3.0);
+    walk.go_on(1.0, [&](Measurement& measured) {
+      const LegLane& lane = walk.walker.record().legs[4];
+      if (lane.phase != LegPhase::support || lane.load < 1.0) return;
+      const Vector3 p_BF = lane.p_BF + Vector3(0.0, 0.0, sunk * blocked_error);
+      measured.q[4] = inverse_kinematics(walk.robot.legs[4], p_BF).q;
+    });
+    return walk.walker.record().findings.silent;
+  };
+  EXPECT_EQ(silent_with(0.6), set_of({4}));
+  EXPECT_TRUE(silent_with(0.4).empty());
 }
 
 // (One that never closes is found where the ground stops feet, which it does not on this plant.)

@@ -81,6 +81,7 @@ class Walker {
   void stand_by(const Measurement& measurement) noexcept;
   void estimate() noexcept;
   void find_faults() noexcept;
+  [[nodiscard]] bool stands_level() const noexcept;
   [[nodiscard]] bool loses_footing() const noexcept;
   void catch_fall() noexcept;
   void steer(const heading_control::Heading& heading) noexcept;

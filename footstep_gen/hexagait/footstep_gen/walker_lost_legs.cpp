@@ -36,16 +36,23 @@ void Walker::recentre() noexcept {
 
 void Walker::find_faults() noexcept {
   leg_watch_.watch(*model_, executor_, record_.state, record_.measurement, params_.sensors,
-                   watch_.elapsed());
+                   stands_level(), watch_.elapsed());
   record_.findings = leg_watch_.findings();
   for (LegId i = 0; !record_.findings.silent.empty() && i < model_->num_legs(); ++i)
     if (record_.findings.silent.contains(i)) lose_leg(i);
 }
 
-// Level ground does not give way: where a foot there has lost its contact, and not found it for lost_time, its leg may be
-// gone. Over rough ground feet lose their contact every so often.
+// Are the last prints about as high as each other?
+bool Walker::stands_level() const noexcept {
+  return print_spread_ <= kLevelUpTo * params_.step.height;
+}
+
+// Does the robot sink on a leg, or may one be gone? Level ground does not give way: where a foot there has lost its contact,
+// and not found it for lost_time, its leg may be gone. Over rough ground feet lose their contact every so often.
 bool Walker::loses_footing() const noexcept {
-  if (!lost_legs().empty() || print_spread_ > kLevelUpTo * params_.step.height) return false;
+  if (!lost_legs().empty()) return false;
+  if (!leg_watch_.sinking().empty()) return true;
+  if (!stands_level()) return false;
   return std::ranges::any_of(executor_.legs(), [this](const LegLane& lane) {
     return lane.regains && lane.phase == LegPhase::descend && !lane.touching &&
            lane.time > params_.executor.swing.lost_time;
@@ -56,7 +63,8 @@ bool Walker::loses_footing() const noexcept {
 // slowly, and they may be there first.
 void Walker::catch_fall() noexcept {
   const auto [feet, p_M] = stance_from_above(executor_, record_.state.X_OB.R);
-  const SupportPolygon polygon = support_polygon(feet, executor_.support());
+  const LegSet bear = without(executor_.support(), leg_watch_.sinking());
+  const SupportPolygon polygon = support_polygon(feet, bear);
   if (stability_margin(polygon, p_M) < -params_.step.stability_margin) executor_.put_down();
 }
 

@@ -16,7 +16,7 @@ namespace hexagait {
 /// loaded, the forces change without a jump. They are fed forward to the joints, so that the servos
 /// need no deflection to carry the robot ("gravity compensation", [FG16] IV).
 ///
-/// @param p_F     feet [m]; only x and y matter
+/// @param p_F     feet, in a frame with vertical z [m]; z is not used
 /// @param p_M     centre of mass, same frame [m]
 /// @param load    w_i in [0, 1]: fraction of its load that each leg carries, 0 for a leg in the air
 /// @param weight  W = m g [N]

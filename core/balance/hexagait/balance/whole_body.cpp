@@ -8,16 +8,19 @@
 namespace hexagait {
 namespace {
 
-// Each loaded foot presses down with its part of the weight: τ = Jᵀ (−F up).
+// Each loaded foot presses down with its part of the weight: τ = Jᵀ (−F up). The parts are those of the feet as
+// gravity sees them.
 LegArray<LegJoints> kinematic_efforts(const RobotModel& model, const WholeBodyInput& input,
                                       double gravity) {
   const int n = model.num_legs();
   LegArray<LegJoints> effort(n, LegJoints::Zero());
+  LegArray<Vector3> p_F_O(n);  // from the body's origin
+  for (LegId i = 0; i < n; ++i) p_F_O[i] = input.R_OB * input.p_BF[i];
+  const Vector3 up_B = input.up_B();
   const LegArray<double> force =
-      shared_load(input.p_BF, model.p_BM, input.load, model.mass * gravity);
+      shared_load(p_F_O, input.R_OB * input.p_BM, input.load, model.mass * gravity);
   for (LegId i = 0; i < n; ++i) {
-    if (force[i] > 0.0)
-      effort[i] = foot_effort(model.legs[i], input.trig[i], -force[i] * input.up_B);
+    if (force[i] > 0.0) effort[i] = foot_effort(model.legs[i], input.trig[i], -force[i] * up_B);
   }
   return effort;
 }
@@ -43,7 +46,7 @@ JointEfforts virtual_model_efforts(const RobotModel& model, const WholeBodyInput
   LegArray<LegJoints> effort(n, LegJoints::Zero());
   Vector3 moment_B = model.base.mass * model.base.p_LM;
   for (LegId i = 0; i < n; ++i) {
-    const LegWeight weight = leg_weight(model.legs[i], input.q[i], gravity * input.up_B);
+    const LegWeight weight = leg_weight(model.legs[i], input.q[i], gravity * input.up_B());
     effort[i] = weight.effort;
     moment_B += weight.moment_B;
   }
@@ -76,7 +79,7 @@ Wrench virtual_model_wrench(const RobotModel& model, const Vector3& p_BM,
   const Vector3 v = error.V_B.v + error.V_B.w.cross(p_BM);
   const double w = params.frequency, turn_w = params.turn_frequency;
   const Vector3 force =
-      model.mass * (gravity * input.up_B + w * w * e + 2.0 * params.damping_ratio * w * v);
+      model.mass * (gravity * input.up_B() + w * w * e + 2.0 * params.damping_ratio * w * v);
   return {force, p_BM.cross(force) +
                      model.inertia_M_B * (turn_w * turn_w * error.turn_B +
                                           2.0 * params.turn_damping_ratio * turn_w * error.V_B.w)};

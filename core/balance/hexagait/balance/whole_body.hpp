@@ -63,15 +63,21 @@ struct BaseError {
 
 /// The inputs of joint_efforts().
 struct WholeBodyInput {
-  const LegArray<LegJoints>& q;     ///< joint targets [rad]
-  const LegArray<LegTrig>& trig;    ///< of q
-  LegArray<Vector3> p_BF;           ///< set points of the feet, body frame [m]
-  LegArray<double> load;            ///< fraction of its load that each leg carries, 0 … 1
-  Vector3 up_B = Vector3::UnitZ();  ///< direction opposite to gravity, body frame
+  const LegArray<LegJoints>& q;   ///< joint targets [rad]
+  const LegArray<LegTrig>& trig;  ///< of q
+  LegArray<Vector3> p_BF;         ///< set points of the feet, body frame [m]
+  LegArray<double> load;          ///< fraction of its load that each leg carries, 0 … 1
+  Matrix3 R_OB;                   ///< attitude of the body; z of O is opposite to gravity
+
+  // Used by the kinematic controller only:
+  Vector3 p_BM;  ///< centre of mass [m]
 
   // Used by the virtual model only:
   LegArray<Vector3> normal_B;  ///< of the ground at each foot, unit vectors
   BaseError error;
+
+  /// Direction opposite to gravity, body frame.
+  [[nodiscard]] Vector3 up_B() const { return R_OB.row(2); }
 };
 
 /// The wrench of the virtual model: weight, spring and damper, acting at the centre of mass M. With
@@ -93,7 +99,7 @@ struct JointEfforts {
 };
 
 /// Joint efforts with which the loaded feet press on the ground: τ = Jᵀ (−F). F is by shared_load()
-/// along `up_B` (kinematic), or by contact_forces() for the wrench of (body 1) (virtual model,
+/// along up (kinematic), or by contact_forces() for the wrench of (body 1) (virtual model,
 /// which also carries the links of all legs, (weight 1)). Legs in the air get no contact force.
 ///
 /// @param gravity  [m/s²]

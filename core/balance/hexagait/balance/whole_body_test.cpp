@@ -28,7 +28,8 @@ struct Standing {
                        trig,
                        LegArray<Vector3>(6),
                        LegArray<double>(6, 1.0),
-                       Vector3::UnitZ(),
+                       Matrix3::Identity(),
+                       argos().p_BM,
                        LegArray<Vector3>(6, Vector3::UnitZ()),
                        {}};
 
@@ -58,7 +59,7 @@ Wrench wrench_of(WholeBodyController controller, const WholeBodyInput& input) {
     const LegModel& leg = argos().legs[i];
     LegJoints press = effort[i];
     if (controller == kVirtualModel)
-      press -= leg_weight(leg, input.q[i], kGravity * input.up_B).effort;
+      press -= leg_weight(leg, input.q[i], kGravity * input.up_B()).effort;
     const Matrix3 J = foot_jacobian(leg, input.trig[i]).leftCols<3>();
     const Vector3 force = -J.transpose().inverse() * press.head<3>();
     sum.force += force;
@@ -77,19 +78,33 @@ TEST(WholeBody, CarriesTheWeightWithEitherController) {
   }
 }
 
-// shared_load() along `up_B`, through the Jacobian of the joint targets.
+// Its centre of mass, 0.3 m above the feet, is then 8 cm beside where it is over them on level ground.
+TEST(WholeBody, BalancesTheWeightOfATiltedBody) {
+  Standing standing;
+  WholeBodyInput& input = standing.input;
+  input.R_OB = rotation({0.2, -0.15, 0.3});
+  for (const auto controller : {kKinematic, kVirtualModel}) {
+    const Wrench wrench = wrench_of(controller, input);
+    EXPECT_LT((wrench.force - 50.0 * kGravity * input.up_B()).norm(), 0.01);
+    EXPECT_LT((wrench.moment - argos().p_BM.cross(wrench.force)).norm(), 0.01);
+  }
+}
+
+// shared_load() as gravity sees the feet, through the Jacobian of the joint targets.
 TEST(WholeBody, FeedsForwardSharedLoadsIfKinematic) {
   Standing standing;
   WholeBodyInput& input = standing.input;
   input.load[1] = 0.3;
   input.load[4] = 0.0;
-  input.up_B = rotation({0.1, -0.2, 0.3}).row(2);
+  input.R_OB = rotation({0.1, -0.2, 0.3});
+  LegArray<Vector3> p_F_O(6);
+  for (LegId i = 0; i < 6; ++i) p_F_O[i] = input.R_OB * input.p_BF[i];
   const LegArray<double> force =
-      shared_load(input.p_BF, argos().p_BM, input.load, argos().mass * kGravity);
+      shared_load(p_F_O, input.R_OB * argos().p_BM, input.load, argos().mass * kGravity);
   const LegArray<LegJoints> effort = efforts(kKinematic, input);
   for (LegId i = 0; i < 6; ++i) {
     const LegJacobian J = foot_jacobian(argos().legs[i], input.trig[i]);
-    const LegJoints expected = J.transpose() * (-force[i] * input.up_B);
+    const LegJoints expected = J.transpose() * (-force[i] * input.up_B());
     EXPECT_LT((effort[i] - (i == 4 ? LegJoints(LegJoints::Zero()) : expected)).norm(), 1e-12) << i;
   }
 }
@@ -102,7 +117,7 @@ TEST(WholeBody, PushesTheBaseBackLikeASpring) {
   const Pose X_OB{rotation({0.0, 0.02, 0.0}), {1.0, 0.005, 0.29}};
   const Pose X_OD{Matrix3::Identity(), {1.0, 0.0, 0.30}};
   input.error = base_error(X_OB, {}, X_OD, {});
-  input.up_B = X_OB.R.row(2);
+  input.R_OB = X_OB.R;
   const Wrench wrench = wrench_of(kVirtualModel, input);
   const Vector3 force_O = X_OB.R * wrench.force;
   EXPECT_NEAR(force_O.z(), 50.0 * kGravity + 7812.5 * 0.01, 0.1);

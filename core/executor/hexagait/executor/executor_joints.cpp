@@ -196,7 +196,8 @@ void Executor::set_efforts(const RobotState& state, double dt) noexcept {
                        .trig = trig_,
                        .p_BF = LegArray<Vector3>(n),
                        .load = LegArray<double>(n),
-                       .up_B = state.X_OB.R.row(2),
+                       .R_OB = state.X_OB.R,
+                       .p_BM = p_BM(),
                        .normal_B = {},
                        .error = base_error_};
   const bool virtual_model = params_.controller == WholeBodyController::virtual_model;

@@ -13,11 +13,12 @@ namespace {
 constexpr double kForgets = 10.0;  // λ and σ², in times of τ
 constexpr double kKnown = 1.25;  // λ is known once r has varied for so long as much as it is, of τ
 constexpr double kNoise = 0.3;   // σ₀ [rad]
-constexpr double kAmiss = 0.15;    // ρ₀
-constexpr double kMost = 0.6;      // more in one tick is an impact [rad]
-constexpr double kTrusted = 0.04;  // odometry is, within this [rad]
-constexpr double kLate = 1.4;      // times what motion changes within the lag
-constexpr int kSteady = 3;         // feet
+constexpr double kAmiss = 0.15;         // ρ₀
+constexpr double kMost = 0.6;           // more in one tick is an impact [rad]
+constexpr double kTrusted = 0.04;       // odometry is, within this [rad]
+constexpr double kTrustedLost = 0.015;  // the same once a leg is lost: the robot may have tipped
+constexpr double kLate = 1.4;           // times what motion changes within the lag
+constexpr int kSteady = 3;              // feet
 
 // Efforts as a force on the foot, J⁻ᵀ τ.
 class FootForce {
@@ -93,7 +94,8 @@ Vector3 GravitySense::update(const RobotModel& model, const RobotState& state,
   amiss2_ += slow * (amiss * amiss - amiss2_);
   const double mean = mean_.norm();
   const double late = kLate * lag() * lag() / tau;
-  const double trusted = std::sqrt(kTrusted * kTrusted + late * late * rr_);
+  const double least = lost.empty() ? kTrusted : kTrustedLost;
+  const double trusted = std::sqrt(least * least + late * late * rr_);
   if (mean <= trusted) return Vector3::Zero();
   const double doubt = noise2_ / (kNoise * kNoise) + amiss2_ / (kAmiss * kAmiss);
   return fast * (1.0 - trusted / mean) / (1.0 + doubt * doubt) * off;

@@ -22,8 +22,8 @@ namespace hexagait {
 ///
 ///     dû/dt = c (s − λ r) / τ_n,   τ_n = τ (1 + (σ²/σ₀² + ρ²/ρ₀²)²),   ε² = ε₀² + (1.4 λ² |r|/τ)²   (odometry 7)
 ///
-/// with c = max(0, 1 − ε/|mean of s − λ r over τ|): odometry is trusted within ε₀ = 0.04 rad, and further with drives
-/// that are late, by what motion changes within their lag. σ² is the variance
+/// with c = max(0, 1 − ε/|mean of s − λ r over τ|): odometry is trusted within ε₀ = 0.04 rad, 0.015 once a leg is
+/// lost, and further with drives that are late, by what motion changes within their lag. σ² is the variance
 /// of s − λ r, ρ² the mean of (|û + s − λ r| − 1)², since up is a unit vector however far off û is: dry friction, and
 /// servos that take no effort, make that large, and then the joints say nothing. Nothing is corrected while the
 /// robot tips over less than three feet, nor before λ is known well enough for the speed of the joints.
