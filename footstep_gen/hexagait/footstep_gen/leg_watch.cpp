@@ -70,29 +70,25 @@ bool is_below(const LegLane& lane, const Executor& executor, const RobotState& s
   return (state.X_OB * lane.p_BF).z() < lane.step.p_OT.z() - below;
 }
 
-// How much farther above its set point the foot of each leg that should bear its full share is than those of the others
-// that should, on average [m]. 0 where set points do not hold the robot: without reflexes, with legs of two joints, whose
-// feet slide, and where standing legs are driven by efforts. 0 also once a leg is lost: the robot may fall onto sound legs.
-LegArray<double> sunk(const RobotModel& model, const Executor& executor, const RobotState& state) {
-  LegArray<double> sunk(model.num_legs(), 0.0);
-  const ExecutorParams& params = executor.params();
-  if (!params.swing.reflexes || params.controller != WholeBodyController::kinematic ||
-      model.legs[0].has_two_joints() || !executor.lost().empty())
-    return sunk;
+// h − h̄ of (watch 2) [m]; 0 of legs that are not to bear their full share, and once a leg is lost: the robot may fall onto
+// sound legs.
+LegArray<double> sunk(const Executor& executor, const RobotState& state) {
+  const int n = executor.legs().size();
+  LegArray<double> sunk(n, 0.0);
+  if (!executor.held_by_set_points() || !executor.lost().empty()) return sunk;
   const Vector3 up_B = state.X_OB.R.row(2);
-  const auto bears = [&](LegId i) {
+  LegSet bear;
+  double sum = 0.0;
+  for (LegId i = 0; i < n; ++i) {
     const LegLane& lane = executor.legs()[i];
-    return lane.phase == LegPhase::support && lane.load > 1.0 - kTimeTolerance;
-  };
-  double sum = 0.0, feet = 0.0;
-  for (LegId i = 0; i < model.num_legs(); ++i) {
-    if (!bears(i)) continue;
+    if (lane.phase != LegPhase::support || !lane.fully_loaded()) continue;
+    bear.insert(i);
     sunk[i] = up_B.dot(executor.off(i));
     sum += sunk[i];
-    feet += 1.0;
   }
-  for (LegId i = 0; i < model.num_legs(); ++i)
-    if (bears(i)) sunk[i] = feet > 1.0 ? sunk[i] - (sum - sunk[i]) / (feet - 1.0) : 0.0;
+  const double others = bear.size() - 1;
+  for (LegId i = 0; i < n; ++i)
+    if (bear.contains(i)) sunk[i] = others > 0.0 ? sunk[i] - (sum - sunk[i]) / others : 0.0;
   return sunk;
 }
 
@@ -103,7 +99,8 @@ LegWatch::LegWatch(int legs) : legs_(legs) {}
 void LegWatch::watch(const RobotModel& model, const Executor& executor, const RobotState& state,
                      const Measurement& measurement, SensorMask sensors, bool level,
                      double dt) noexcept {
-  const LegArray<double> below = sunk(model, executor, state);
+  const LegArray<double> below = sunk(executor, state);
+  sinking_ = {};
   const bool all_bear = level && std::ranges::none_of(executor.legs(), &LegLane::regains);
   for (LegId i = 0; i < legs_.size(); ++i) {
     if (executor.lost().contains(i)) continue;

@@ -33,15 +33,15 @@ struct LegFindings {
 ///     ∫ h(q*) · h(q) dt < 1/4 ∫ |h(q*)|² dt      in four windows of (0.07 rad)² s in a row        (watch 1)
 ///
 /// A leg that is blocked still rises, and delays of a servo are far shorter than a lift. Of a second leg
-/// twelve windows are asked: with one gone feet are easily pinned. Sooner on about level ground, while it stands and is to bear its
-/// full share of the weight, with h = up · (p_F − p_F*) how far its foot is above its set point, and h̄ the mean of the
-/// others that bear theirs,
+/// twelve windows are asked: with one gone feet are easily pinned. Sooner on about level ground, while it stands and is
+/// to bear its full share of the weight, with h = up · (p_F − p_F*) how far its foot is above its set point, and h̄ the mean
+/// of the others that are to bear theirs,
 ///
 ///     h − h̄ > blocked_error/2  for a quarter of the time of a lift without a break                   (watch 2)
 ///
 /// A dead leg does not bear, and the robot sinks on it. Of sound legs loads are evened out (executor 2), and h differs by
-/// millimetres, also where servos take no efforts and all feet give way. It is not asked while a foot has lost its contact,
-/// nor of a second leg: a robot that falls may fall onto sound legs.
+/// millimetres, also where servos take no efforts and all feet give way. It does not begin while a foot has lost its contact,
+/// and is not asked of a second leg: a robot that falls may fall onto sound legs.
 /// Before, from 3/10 of blocked_error for a twentieth of the time of a lift on, it counts as sinking().
 ///
 /// **Stuck closed.** The contact of a foot reads closed for 1.25 times the time of a lift without a break while the foot is

@@ -63,14 +63,14 @@ struct BaseError {
 
 /// The inputs of joint_efforts().
 struct WholeBodyInput {
-  const LegArray<LegJoints>& q;   ///< joint targets [rad]
-  const LegArray<LegTrig>& trig;  ///< of q
-  LegArray<Vector3> p_BF;         ///< set points of the feet, body frame [m]
-  LegArray<double> load;          ///< fraction of its load that each leg carries, 0 … 1
-  Matrix3 R_OB;                   ///< attitude of the body; z of O is opposite to gravity
+  const LegArray<LegJoints>& q;        ///< joint targets [rad]
+  const LegArray<LegTrig>& trig;       ///< of q
+  LegArray<Vector3> p_BF;              ///< set points of the feet, body frame [m]
+  LegArray<double> load;               ///< fraction of its load that each leg carries, 0 … 1
+  Matrix3 R_OB = Matrix3::Identity();  ///< attitude of the body; z of O is opposite to gravity
 
   // Used by the kinematic controller only:
-  Vector3 p_BM;  ///< centre of mass [m]
+  Vector3 p_BM = Vector3::Zero();  ///< centre of mass, body frame [m]
 
   // Used by the virtual model only:
   LegArray<Vector3> normal_B;  ///< of the ground at each foot, unit vectors

@@ -149,6 +149,12 @@ class Executor {
   /// The least lag of the drives, (lag 3) [s].
   [[nodiscard]] double least_drive_lag() const { return lag_.least_lag(); }
   [[nodiscard]] const ExecutorParams& params() const { return params_; }
+  /// Do set points hold the robot, so that what a standing leg is off its own tells of its load? Not in scripts, whose feet
+  /// may push against each other on purpose, with legs of two joints, whose feet slide, nor where efforts drive the legs.
+  [[nodiscard]] bool held_by_set_points() const noexcept {
+    return params_.swing.reflexes && !model_->legs[0].has_two_joints() &&
+           params_.controller == WholeBodyController::kinematic;
+  }
 
   /// Legs that count as standing.
   [[nodiscard]] LegSet support() const noexcept {

@@ -30,8 +30,7 @@ void Executor::even_out_loads(const RobotState& state, double dt) noexcept {
   if (!params_.swing.reflexes) return;
   const Vector3 up_B = state.X_OB.R.row(2);
   const auto bears = [this](LegId i) {
-    return legs_[i].phase == LegPhase::support && legs_[i].load > 1.0 - kTimeTolerance &&
-           reachable_[i];
+    return legs_[i].phase == LegPhase::support && legs_[i].fully_loaded() && reachable_[i];
   };
   double mean = 0.0, feet = 0.0;
   for (LegId i = 0; i < legs_.size(); ++i) {

@@ -330,7 +330,7 @@ void sense(LegLane& lane, bool contact, double dt, const SwingParams& params) no
   lane.without_contact = contact ? 0.0 : lane.without_contact + dt;
   lane.believed = lane.believed || elapsed(lane.with_contact, params.touch_time);
   if (lane.confirmed) return;
-  const bool loaded = lane.load > 1.0 - kTimeTolerance;
+  const bool loaded = lane.fully_loaded();
   lane.confirmed = lane.touched_down = loaded && elapsed(lane.with_contact, params.confirm_time);
 }
 

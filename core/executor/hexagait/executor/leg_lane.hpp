@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <hexagait/executor/commands.hpp>
 #include <hexagait/executor/leg_plan.hpp>
+#include <hexagait/executor/tick_motion.hpp>
 #include <hexagait/params/robot_params.hpp>
 
 namespace hexagait {
@@ -80,6 +81,9 @@ struct LegLane {
   [[nodiscard]] bool with_ground() const {
     return phase != LegPhase::hold && !(phase == LegPhase::follow && with_body);
   }
+
+  /// Carries all of its share of the weight, or is to.
+  [[nodiscard]] bool fully_loaded() const { return load > 1.0 - kTimeTolerance; }
 
   /// Counts as a leg on the ground for rule 1.
   [[nodiscard]] bool supports(const SwingParams& params) const {

@@ -85,14 +85,9 @@ void StateEstimator::update(RobotState& state, const Measurement& measurement,
   odometry_.level(state, tilt_.up_B(), footing);
 }
 
-// Only while it walks: scripted feet push against each other on purpose, and those that efforts drive have
-// no targets of position.
 void StateEstimator::feel_gravity(RobotState& state, const Executor& executor,
                                   const LegArray<double>& footing, double dt) noexcept {
-  const ExecutorParams& params = executor.params();
-  if (!sensors_.joint_feedback || !params.swing.reflexes || model_->legs[0].has_two_joints() ||
-      params.controller != WholeBodyController::kinematic)
-    return;
+  if (!sensors_.joint_feedback || !executor.held_by_set_points()) return;
   LegSet stand, feel;
   for (LegId i = 0; i < model_->num_legs(); ++i) {
     const LegLane& lane = executor.legs()[i];
@@ -101,7 +96,8 @@ void StateEstimator::feel_gravity(RobotState& state, const Executor& executor,
   }
   const Vector3 felt = gravity_.update(*model_, state, executor.targets(), executor.lost(),
                                        feel.size(), dt, odometry_.tolerance());
-  const double found = (executor.lost().empty() ? kFound : kFoundNext) * params.swing.lift_time;
+  const double found =
+      (executor.lost().empty() ? kFound : kFoundNext) * executor.params().swing.lift_time;
   const Vector3 change =
       felt_while_held_.update(felt, held_in_air(executor), stand, executor.lost(), dt, found);
   if (change.isZero()) return;
