@@ -47,6 +47,7 @@ TEST(LostLeg, FiveLegsWalkAtMoreThanHalfTheSpeedOfSix) {
     for (const char* since : kInstants) {
       const Summary five = walk_without(leg, since);
       EXPECT_FALSE(five.fell) << leg << " " << since;
+      EXPECT_GT(five.distance, 0.4 * six.distance) << leg << " " << since;
       way += five.distance / kInstants.size();
     }
     EXPECT_GT(way, 0.5 * six.distance) << leg;
