@@ -14,6 +14,8 @@ constexpr double kStoppedShare = 1.5;      // in all, and no contact since
 constexpr double kNoiseMemoryShare = 2.5;  // of the noise's mean
 constexpr double kSinkingShare = 0.05;  // under its load: the feet that are up had better come down
 constexpr double kSunkShare = 0.25;     // the same, until it is lost
+constexpr double kStillShare = 0.25;    // without contact, and twice the lag of the drives
+constexpr double kCaughtShare = 0.5;    // in a retreat
 constexpr double kFlickerShare = 10.0;  // in which flickers count, high above the ground
 
 constexpr double kWindow = 0.07 * 0.07;    // asked of a leg before its answer is judged [rad² s]
@@ -22,6 +24,9 @@ constexpr int kWindows = 4;                // in a row
 constexpr int kWindowsMore = 12;           // the same of a second leg
 constexpr double kSinking = 0.3;           // of blocked_error
 constexpr double kSunk = 0.5;              // of blocked_error
+constexpr double kStill = 0.25;            // of blocked_error
+constexpr double kGone = 0.5;              // of blocked_error, beyond 4 times what the joints move
+constexpr double kCaught = 0.5;            // of blocked_error
 constexpr double kHigh = 0.5;              // of the clearance
 constexpr double kStopShare = 0.125;       // of blocked_error
 constexpr double kBelow = 2.0;             // touchdown_margin below where the ground is expected
@@ -70,7 +75,7 @@ bool is_below(const LegLane& lane, const Executor& executor, const RobotState& s
   return (state.X_OB * lane.p_BF).z() < lane.step.p_OT.z() - below;
 }
 
-// h − h̄ of (watch 2) [m]; 0 of legs that are not to bear their full share, and once a leg is lost: the robot may fall onto
+// min(h, h − h̄) of (watch 2) [m]; 0 of legs that are not to bear their full share, and once a leg is lost: the robot may fall onto
 // sound legs.
 LegArray<double> sunk(const Executor& executor, const RobotState& state) {
   const int n = executor.legs().size();
@@ -88,7 +93,8 @@ LegArray<double> sunk(const Executor& executor, const RobotState& state) {
   }
   const double others = bear.size() - 1;
   for (LegId i = 0; i < n; ++i)
-    if (bear.contains(i)) sunk[i] = others > 0.0 ? sunk[i] - (sum - sunk[i]) / others : 0.0;
+    if (bear.contains(i))
+      sunk[i] = others > 0.0 ? std::min(sunk[i], sunk[i] - (sum - sunk[i]) / others) : 0.0;
   return sunk;
 }
 
@@ -105,6 +111,8 @@ void LegWatch::watch(const RobotModel& model, const Executor& executor, const Ro
   for (LegId i = 0; i < legs_.size(); ++i) {
     if (executor.lost().contains(i)) continue;
     if (sensors.joint_feedback) watch_answer(i, executor, measurement.q[i], dt);
+    if (sensors.joint_feedback)
+      watch_stillness(i, executor, measurement.q[i], model.legs[i].max_reach, dt);
     if (sensors.joint_feedback) watch_load(i, executor, below[i], all_bear, dt);
     if (sensors.joint_feedback) watch_noise(i, executor, measurement.q[i], dt);
     if (sensors.foot_contacts) watch_contact(i, executor, state, measurement.contact[i], dt);
@@ -134,6 +142,34 @@ void LegWatch::watch_answer(LegId leg, const Executor& executor, const LegJoints
   of.silent_windows = of.answered < kAnswer * of.asked ? of.silent_windows + 1 : 0;
   of.asked = of.answered = 0.0;
   if (of.silent_windows >= (executor.lost().empty() ? kWindows : kWindowsMore))
+    findings_.silent.insert(leg);
+}
+
+// (watch 3)
+void LegWatch::watch_stillness(LegId leg, const Executor& executor, const LegJoints& q,
+                               double reach, double dt) noexcept {
+  const SwingParams& swing = executor.params().swing;
+  const LegJoints& target = executor.targets().q[leg];
+  const LegLane& lane = executor.legs()[leg];
+  const double error = swing.blocked_error / reach;
+  const bool no_contact =
+      lane.regains || (lane.phase == LegPhase::support && lane.without_contact > 0.0);
+  const bool caught = lane.phase == LegPhase::retreat &&
+                      executor.tracking_error(leg) > kCaught * swing.blocked_error;
+  Leg& of = legs_[leg];
+  of.moved = std::max(of.moved, (q - of.q_there).cwiseAbs().maxCoeff());
+  if ((!no_contact && !caught) || of.moved > kStill * error) {
+    of.q_there = q;
+    of.target_there = target;
+    of.still = of.caught = of.moved = 0.0;
+    return;
+  }
+  of.still += dt;
+  if (caught) of.caught += dt;
+  const double gone = (target - of.target_there).cwiseAbs().maxCoeff();
+  const double time = kStillShare * swing.lift_time + 2.0 * executor.drive_lag();
+  if ((of.still > time && gone > kGone * error + 4.0 * of.moved) ||
+      of.caught > kCaughtShare * swing.lift_time)
     findings_.silent.insert(leg);
 }
 

@@ -33,16 +33,24 @@ struct LegFindings {
 ///     ∫ h(q*) · h(q) dt < 1/4 ∫ |h(q*)|² dt      in four windows of (0.07 rad)² s in a row        (watch 1)
 ///
 /// A leg that is blocked still rises, and delays of a servo are far shorter than a lift. Of a second leg
-/// twelve windows are asked: with one gone feet are easily pinned. Sooner on about level ground, while it stands and is
-/// to bear its full share of the weight, with h = up · (p_F − p_F*) how far its foot is above its set point, and h̄ the mean
-/// of the others that are to bear theirs,
+/// twelve windows are asked: with one gone feet are easily pinned.
 ///
-///     h − h̄ > blocked_error/2  for a quarter of the time of a lift without a break                   (watch 2)
+/// Sooner on about level ground, while it stands and is to bear its full share of the weight, with
+/// h = up · (p_F − p_F*) how far its foot is above its set point, and h̄ the mean of the others that are to bear theirs,
+///
+///     min(h, h − h̄) > blocked_error/2  for a quarter of the time of a lift without a break          (watch 2)
 ///
 /// A dead leg does not bear, and the robot sinks on it. Of sound legs loads are evened out (executor 2), and h differs by
-/// millimetres, also where servos take no efforts and all feet give way. It does not begin while a foot has lost its contact,
-/// and is not asked of a second leg: a robot that falls may fall onto sound legs.
+/// millimetres; where servos take no efforts all feet give way, and h − h̄ is small. It does not begin while a foot has lost
+/// its contact, and is not asked of a second leg: a robot that falls may fall onto sound legs.
 /// Before, from 3/10 of blocked_error for a twentieth of the time of a lift on, it counts as sinking().
+///
+/// Soonest where its joints stand still though they should move. A foot that has lost its contact goes with the
+/// ground or with its set point, and a leg that is caught can go back the way it came. With d the greatest change of
+/// its readings since it lost its contact or began to retreat, e = blocked_error over the leg's reach, and while d < e/4,
+///
+///     |Δq*| > e/2 + 4 d  after a quarter of the time of a lift and twice the lag of the drives,
+///     or it retreats, more than blocked_error/2 off its set point, for half the time of a lift     (watch 3)
 ///
 /// **Stuck closed.** The contact of a foot reads closed for 1.25 times the time of a lift without a break while the foot is
 /// measured higher than half of its clearance above where it lifted.
@@ -83,6 +91,10 @@ class LegWatch {
     LegJoints target_slow = LegJoints::Zero(), q_slow = LegJoints::Zero();
     double asked = 0.0, answered = 0.0;  ///< of (watch 1), in the present window [rad² s]
     int silent_windows = 0;
+    // Of (watch 3), where it began:
+    LegJoints q_there = LegJoints::Zero(), target_there = LegJoints::Zero();
+    double still = 0.0, caught = 0.0;  ///< how long its joints have stood still; while it retreats [s]
+    double moved = 0.0;                ///< d [rad]
     double sinking = 0.0, sunk = 0.0;  ///< how long the robot has sunk on it, without a break [s]
     double closed_high = 0.0;          ///< how long the contact has been closed high up [s]
     double flickers = 0.0;             ///< how often it has been for an instant, of late
@@ -94,6 +106,8 @@ class LegWatch {
   };
 
   void watch_answer(LegId leg, const Executor& executor, const LegJoints& q, double dt) noexcept;
+  void watch_stillness(LegId leg, const Executor& executor, const LegJoints& q, double reach,
+                       double dt) noexcept;
   void watch_load(LegId leg, const Executor& executor, double sunk, bool all_bear,
                   double dt) noexcept;
   void watch_contact(LegId leg, const Executor& executor, const RobotState& state, bool contact,

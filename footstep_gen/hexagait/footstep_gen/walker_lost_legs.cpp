@@ -60,12 +60,22 @@ bool Walker::loses_footing() const noexcept {
 }
 
 // Feet that are up when a leg is lost may have left the centre of mass outside those that stand: it falls
-// slowly, and they may be there first.
+// slowly, and they may be there first. A foot on its way to where the body falls to goes on: there it holds the body, and
+// its swing there slows the fall.
 void Walker::catch_fall() noexcept {
-  const auto [feet, p_M] = stance_from_above(executor_, record_.state.X_OB.R);
+  const Pose& X_OB = record_.state.X_OB;
+  const auto [feet, p_M] = stance_from_above(executor_, X_OB.R);
   const LegSet bear = without(executor_.support(), leg_watch_.sinking());
   const SupportPolygon polygon = support_polygon(feet, bear);
-  if (stability_margin(polygon, p_M) < -params_.step.stability_margin) executor_.put_down();
+  if (stability_margin(polygon, p_M) >= -params_.step.stability_margin) return;
+  LegSet go_on;
+  for (LegId i = 0; polygon.size > 1 && i < model_->num_legs(); ++i) {
+    const LegLane& lane = executor_.legs()[i];
+    const Vector2 way = (lane.step.p_OT - X_OB.p - feet[i]).head<2>();
+    go_on.set(i, lane.phase == LegPhase::transfer &&
+                     nearest_edge(polygon, p_M).inwards.dot(way) < -params_.step.stability_margin);
+  }
+  executor_.put_down(without(LegSet::all(model_->num_legs()), go_on));
 }
 
 }  // namespace hexagait::footstep_gen

@@ -61,6 +61,17 @@ PolygonEdge edge_of(const SupportPolygon& polygon, int k) noexcept {
   return {from, perpendicular(to - from).normalized()};
 }
 
+PolygonEdge nearest_edge(const SupportPolygon& polygon, const Vector2& point) noexcept {
+  const auto inside = [&point](const PolygonEdge& edge) {
+    return edge.inwards.dot(point - edge.from);
+  };
+  PolygonEdge nearest = edge_of(polygon, 0);
+  for (int k = 1; k < polygon.size; ++k)
+    if (const PolygonEdge edge = edge_of(polygon, k); inside(edge) < inside(nearest))
+      nearest = edge;
+  return nearest;
+}
+
 SupportPolygon support_polygon(std::span<const Vector2> points) noexcept {
   assert(points.size() <= kMaxLegs);
   SupportPolygon hull;

@@ -23,6 +23,11 @@ struct PolygonEdge {
 /// The edge from vertex k to the next.
 [[nodiscard]] PolygonEdge edge_of(const SupportPolygon& polygon, int k) noexcept;
 
+/// The edge that `point` is farthest beyond, or, inside, nearest to; of a segment its side towards the point.
+/// @pre  two vertices or more
+[[nodiscard]] PolygonEdge nearest_edge(const SupportPolygon& polygon,
+                                       const Vector2& point) noexcept;
+
 /// Hull of up to kMaxLegs points [m], by Andrew's monotone chain. Duplicates and points within 1 nm
 /// of an edge are dropped, so that a hull of three or more vertices has an interior. (Three feet in
 /// a row on each side of the body are the usual case.)

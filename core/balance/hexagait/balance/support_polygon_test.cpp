@@ -151,6 +151,18 @@ TEST(StabilityMargin, IsMinusTheDistanceWhereThereIsNoInside) {
   EXPECT_NEAR(margin({{-1, 1}, {1, 1}}, {0, 1}), 0.0, 1e-15);
 }
 
+// Of all edges it is the one whose line the point is farthest beyond, or nearest to.
+TEST(NearestEdge, IsTheOneThatThePointIsBeyond) {
+  const Points square{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
+  const SupportPolygon polygon = support_polygon(square);
+  EXPECT_EQ(nearest_edge(polygon, {0.5, 1.2}).inwards, Vector2(0.0, -1.0));
+  EXPECT_EQ(nearest_edge(polygon, {1.3, 0.9}).inwards, Vector2(-1.0, 0.0));
+  EXPECT_EQ(nearest_edge(polygon, {0.1, 0.5}).inwards, Vector2(1.0, 0.0)) << "from inside";
+  const SupportPolygon segment = support_polygon(Points{{0.0, 0.0}, {1.0, 0.0}});
+  EXPECT_EQ(nearest_edge(segment, {0.5, 0.1}).inwards, Vector2(0.0, -1.0));
+  EXPECT_EQ(nearest_edge(segment, {0.5, -0.1}).inwards, Vector2(0.0, 1.0));
+}
+
 TEST(SupportPolygon, IsOfTheFeetThatSupport) {
   LegArray<Vector3> feet(4);
   feet[0] = {1, 1, 5};

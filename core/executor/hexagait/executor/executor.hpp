@@ -84,8 +84,8 @@ class Executor {
   /// up, if it can be. reset() keeps it so.
   void lose(LegId leg) noexcept;
   [[nodiscard]] LegSet lost() const { return lost_; }
-  /// Lets all feet that are up descend at once, and not go on to their footholds.
-  void put_down() noexcept;
+  /// Lets these feet, if they are up, descend at once, and not go on to their footholds.
+  void put_down(LegSet legs) noexcept;
   /// Legs that begin no step of their own until told otherwise; after construction and reset() there are none.
   /// One that loses its contact looks for it where it stands, and stays there if it is blocked.
   void set_staying(LegSet legs) noexcept { staying_ = legs; }

@@ -34,9 +34,10 @@ void Executor::lose(LegId leg) noexcept {
   lost_shift_ += 0.5 * shift_without(model_->legs[leg], *model_);
 }
 
-void Executor::put_down() noexcept {
-  for (LegLane& lane : legs_) {
-    if (!is_up(lane.phase)) continue;
+void Executor::put_down(LegSet legs) noexcept {
+  for (LegId i = 0; i < legs_.size(); ++i) {
+    LegLane& lane = legs_[i];
+    if (!legs.contains(i) || !is_up(lane.phase)) continue;
     lane.phase = LegPhase::descend;
     lane.time = lane.reach_fraction = lane.beside = 0.0;
     lane.cleared = true;

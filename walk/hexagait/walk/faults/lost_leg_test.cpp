@@ -18,45 +18,55 @@ using footstep_gen::Walker;
 using testing::argos;
 using testing::kDt;
 
-constexpr double kSeconds = 15.0;
-
-Summary walk_with(const std::vector<PartFault>& faults) {
+Summary walk_with(const std::vector<PartFault>& faults, double seconds = 15.0,
+                  const sim3d::TerrainSpec& terrain = {}, const sim3d::WorldParams& params = {}) {
   TrialOptions options;
   options.schedule = {{0.0, heading_control::Heading::straight(0.0)}};
-  options.seconds = kSeconds;
-  sim3d::World world(argos(), {}, {}, nominal_posture(argos()));
+  options.seconds = seconds;
+  sim3d::World world(argos(), terrain, params, nominal_posture(argos()));
   PartFaultPlant plant(world, faults, {[&](LegId leg) { world.cut(leg); }, {}, {}}, kDt, 0.0, 1);
   Walker walker(argos());
   return run_trial(walker, plant, world.truth(), options);
 }
 
-Summary walk_without(LegId leg, const char* since, const char* how = "cut") {
-  const std::string fault = fmt::format("{}:{}@{}", how, argos().legs[leg].name, since);
-  return walk_with(resolved({parse_part_fault(fault)}, argos()));
+std::vector<PartFault> fault(LegId leg, const char* since, const char* how) {
+  const std::string text = fmt::format("{}:{}@{}", how, argos().legs[leg].name, since);
+  return resolved({parse_part_fault(text)}, argos());
 }
 
-// Instants all through a step: when a leg goes decides by how much the robot tips, and so how far it gets.
+Summary walk_without(LegId leg, const char* since, const char* how = "cut") {
+  return walk_with(fault(leg, since, how));
+}
+
 constexpr std::array kInstants{"2.5s", "2.7s", "2.9s"};
 
-// Of the leg that is gone nothing must stay in what the robot takes for up: on a slope that is none five legs walked at 29
-// to 59 % of the speed of six.
+// (watch 3). Found after a second, a leg that is gone has made five legs walk at 43 to 65 % of the speed of six, by the instant.
 TEST(LostLeg, FiveLegsWalkAtMoreThanHalfTheSpeedOfSix) {
   const Summary six = walk_with({});
-  for (LegId leg = 0; leg < 6; ++leg) {
-    double way = 0.0;
+  for (LegId leg = 0; leg < 6; ++leg)
     for (const char* since : kInstants) {
       const Summary five = walk_without(leg, since);
       EXPECT_FALSE(five.fell) << leg << " " << since;
-      EXPECT_GT(five.distance, 0.4 * six.distance) << leg << " " << since;
-      way += five.distance / kInstants.size();
+      EXPECT_GT(five.distance, 0.5 * six.distance) << leg << " " << since;
     }
-    EXPECT_GT(way, 0.5 * six.distance) << leg;
-  }
 }
 
 // Its tripod has just begun to carry the robot: three legs rise, and two stand.
 TEST(LostLeg, ALegThatGoesWhileItsTripodCarriesIsCaught) {
   for (LegId leg = 0; leg < 6; ++leg) EXPECT_FALSE(walk_without(leg, "2.75s").fell) << leg;
+}
+
+// Two feet stand, and the body falls over the line between them, ahead: where the feet that swing ahead go on it is caught, where
+// they are put down at once 6 of 20 fall.
+TEST(LostLeg, FeetThatSwingToWhereTheBodyFallsGoOn) {
+  int falls = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    sim3d::WorldParams params;
+    params.seed = seed;
+    const std::vector<PartFault> cut = fault(0, "2.7s", "cut");
+    falls += walk_with(cut, 5.0, sim3d::parse_terrain("boxes:10cm"), params).fell ? 1 : 0;
+  }
+  EXPECT_LE(falls, 1);
 }
 
 // (watch 2). Its contact tells nothing: it drags, and is put down like others. Without (watch 2) every third robot falls.
