@@ -174,20 +174,24 @@ TEST(LegWatch, TakesNoLegForGoneWhoseJointsFollow) {
 
 // (watch 2) From 3 s on foot 4 is found above its set point whenever it is to bear its full share.
 TEST(LegWatch, FindsALegThatGivesWayUnderItsLoad) {
-  const auto silent_with = [](double sunk) {
+  const auto silent_with = [](double sunk, double others) {
     Walk walk;
     const double blocked_error = walk.walker.params().executor.swing.blocked_error;
     walk.go_on(3.0);
     walk.go_on(1.0, [&](Measurement& measured) {
-      const LegLane& lane = walk.walker.record().legs[4];
-      if (lane.phase != LegPhase::support || lane.load < 1.0) return;
-      const Vector3 p_BF = lane.p_BF + Vector3(0.0, 0.0, sunk * blocked_error);
-      measured.q[4] = inverse_kinematics(walk.robot.legs[4], p_BF).q;
+      for (LegId i = 0; i < 6; ++i) {
+        const LegLane& lane = walk.walker.record().legs[i];
+        if (lane.phase != LegPhase::support || lane.load < 1.0) continue;
+        const double up = (i == 4 ? sunk : others) * blocked_error;
+        measured.q[i] = inverse_kinematics(walk.robot.legs[i], lane.p_BF + Vector3(0.0, 0.0, up)).q;
+      }
     });
     return walk.walker.record().findings.silent;
   };
-  EXPECT_EQ(silent_with(0.6), set_of({4}));
-  EXPECT_TRUE(silent_with(0.4).empty());
+  EXPECT_EQ(silent_with(0.6, 0.0), set_of({4}));
+  EXPECT_TRUE(silent_with(0.4, 0.0).empty());
+  EXPECT_TRUE(silent_with(0.4, -0.3).empty()) << "it bears more than others, but does not give way";
+  EXPECT_TRUE(silent_with(0.7, 0.4).empty()) << "all give way";
 }
 
 // (One that never closes is found where the ground stops feet, which it does not on this plant.)
