@@ -25,7 +25,9 @@ constexpr int kWindowsMore = 12;           // the same of a second leg
 constexpr double kSinking = 0.3;           // of blocked_error
 constexpr double kSunk = 0.5;              // of blocked_error
 constexpr double kStill = 0.25;            // of blocked_error
-constexpr double kGone = 0.5;              // of blocked_error, beyond 4 times what the joints move
+constexpr double kGone = 0.5;              // of blocked_error, and
+constexpr double kPerMoved = 4.0;          // of what the joints have moved
+constexpr double kLags = 2.0;              // of the drives, that are waited for
 constexpr double kCaught = 0.5;            // of blocked_error
 constexpr double kHigh = 0.5;              // of the clearance
 constexpr double kStopShare = 0.125;       // of blocked_error
@@ -85,8 +87,7 @@ LegArray<double> sunk(const Executor& executor, const RobotState& state) {
   LegSet bear;
   double sum = 0.0;
   for (LegId i = 0; i < n; ++i) {
-    const LegLane& lane = executor.legs()[i];
-    if (lane.phase != LegPhase::support || !lane.fully_loaded()) continue;
+    if (!executor.legs()[i].fully_loaded()) continue;
     bear.insert(i);
     sunk[i] = up_B.dot(executor.off(i));
     sum += sunk[i];
@@ -110,11 +111,12 @@ void LegWatch::watch(const RobotModel& model, const Executor& executor, const Ro
   const bool all_bear = level && std::ranges::none_of(executor.legs(), &LegLane::regains);
   for (LegId i = 0; i < legs_.size(); ++i) {
     if (executor.lost().contains(i)) continue;
-    if (sensors.joint_feedback) watch_answer(i, executor, measurement.q[i], dt);
-    if (sensors.joint_feedback)
+    if (sensors.joint_feedback) {
+      watch_answer(i, executor, measurement.q[i], dt);
       watch_stillness(i, executor, measurement.q[i], model.legs[i].max_reach, dt);
-    if (sensors.joint_feedback) watch_load(i, executor, below[i], all_bear, dt);
-    if (sensors.joint_feedback) watch_noise(i, executor, measurement.q[i], dt);
+      watch_load(i, executor, below[i], all_bear, dt);
+      watch_noise(i, executor, measurement.q[i], dt);
+    }
     if (sensors.foot_contacts) watch_contact(i, executor, state, measurement.contact[i], dt);
   }
   if (sensors.joint_feedback) compare_noise(model, executor);
@@ -152,13 +154,11 @@ void LegWatch::watch_stillness(LegId leg, const Executor& executor, const LegJoi
   const LegJoints& target = executor.targets().q[leg];
   const LegLane& lane = executor.legs()[leg];
   const double error = swing.blocked_error / reach;
-  const bool no_contact =
-      lane.regains || (lane.phase == LegPhase::support && lane.without_contact > 0.0);
   const bool caught = lane.phase == LegPhase::retreat &&
                       executor.tracking_error(leg) > kCaught * swing.blocked_error;
   Leg& of = legs_[leg];
   of.moved = std::max(of.moved, (q - of.q_there).cwiseAbs().maxCoeff());
-  if ((!no_contact && !caught) || of.moved > kStill * error) {
+  if ((!lane.lacks_contact() && !caught) || of.moved > kStill * error) {
     of.q_there = q;
     of.target_there = target;
     of.still = of.caught = of.moved = 0.0;
@@ -167,8 +167,8 @@ void LegWatch::watch_stillness(LegId leg, const Executor& executor, const LegJoi
   of.still += dt;
   if (caught) of.caught += dt;
   const double gone = (target - of.target_there).cwiseAbs().maxCoeff();
-  const double time = kStillShare * swing.lift_time + 2.0 * executor.drive_lag();
-  if ((of.still > time && gone > kGone * error + 4.0 * of.moved) ||
+  const double time = kStillShare * swing.lift_time + kLags * executor.drive_lag();
+  if ((of.still > time && gone > kGone * error + kPerMoved * of.moved) ||
       of.caught > kCaughtShare * swing.lift_time)
     findings_.silent.insert(leg);
 }

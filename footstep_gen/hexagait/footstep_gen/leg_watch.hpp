@@ -93,9 +93,9 @@ class LegWatch {
     int silent_windows = 0;
     // Of (watch 3), where it began:
     LegJoints q_there = LegJoints::Zero(), target_there = LegJoints::Zero();
-    double still = 0.0,
-           caught = 0.0;  ///< how long its joints have stood still; while it retreats [s]
-    double moved = 0.0;   ///< d [rad]
+    double still = 0.0;                ///< how long its joints have stood still [s]
+    double caught = 0.0;               ///< the same while it retreats [s]
+    double moved = 0.0;                ///< d [rad]
     double sinking = 0.0, sunk = 0.0;  ///< how long the robot has sunk on it, without a break [s]
     double closed_high = 0.0;          ///< how long the contact has been closed high up [s]
     double flickers = 0.0;             ///< how often it has been for an instant, of late

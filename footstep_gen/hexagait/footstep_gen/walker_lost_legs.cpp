@@ -68,14 +68,17 @@ void Walker::catch_fall() noexcept {
   const LegSet bear = without(executor_.support(), leg_watch_.sinking());
   const SupportPolygon polygon = support_polygon(feet, bear);
   if (stability_margin(polygon, p_M) >= -params_.step.stability_margin) return;
-  LegSet go_on;
-  for (LegId i = 0; polygon.size > 1 && i < model_->num_legs(); ++i) {
-    const LegLane& lane = executor_.legs()[i];
-    const Vector2 way = (lane.step.p_OT - X_OB.p - feet[i]).head<2>();
-    go_on.set(i, lane.phase == LegPhase::transfer &&
-                     nearest_edge(polygon, p_M).inwards.dot(way) < -params_.step.stability_margin);
+  LegSet down = LegSet::all(model_->num_legs());
+  if (polygon.size > 1) {
+    const Vector2 inwards = nearest_edge(polygon, p_M).inwards;
+    for (LegId i = 0; i < model_->num_legs(); ++i) {
+      const LegLane& lane = executor_.legs()[i];
+      const Vector2 way = (lane.step.p_OT - X_OB.p - feet[i]).head<2>();
+      const bool goes_out = inwards.dot(way) < -params_.step.stability_margin;
+      if (lane.phase == LegPhase::transfer && goes_out) down.erase(i);
+    }
   }
-  executor_.put_down(without(LegSet::all(model_->num_legs()), go_on));
+  executor_.put_down(down);
 }
 
 }  // namespace hexagait::footstep_gen

@@ -29,9 +29,7 @@ void Executor::even_out_loads(const RobotState& state, double dt) noexcept {
   constexpr double kDeterminate = 3.0;  // feet
   if (!params_.swing.reflexes) return;
   const Vector3 up_B = state.X_OB.R.row(2);
-  const auto bears = [this](LegId i) {
-    return legs_[i].phase == LegPhase::support && legs_[i].fully_loaded() && reachable_[i];
-  };
+  const auto bears = [this](LegId i) { return legs_[i].fully_loaded() && reachable_[i]; };
   double mean = 0.0, feet = 0.0;
   for (LegId i = 0; i < legs_.size(); ++i) {
     if (!bears(i)) continue;
@@ -50,9 +48,7 @@ void Executor::even_out_loads(const RobotState& state, double dt) noexcept {
 // Does a leg that has no contact where it stood have to stay there: is it told to, or would the robot fall without it?
 bool Executor::is_needed(LegId leg, const RobotState& state) const noexcept {
   if (!params_.swing.reflexes) return false;
-  const LegLane& lane = legs_[leg];
-  const bool lost = lane.phase == LegPhase::support && lane.without_contact > 0.0;
-  if (!lost && !lane.regains) return false;
+  if (!legs_[leg].lacks_contact()) return false;
   if (staying_.contains(leg)) return true;
   LegArray<Vector3> feet(legs_.size());
   LegSet others;

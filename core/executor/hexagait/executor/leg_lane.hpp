@@ -82,8 +82,15 @@ struct LegLane {
     return phase != LegPhase::hold && !(phase == LegPhase::follow && with_body);
   }
 
-  /// Carries all of its share of the weight, or is to.
-  [[nodiscard]] bool fully_loaded() const { return load > 1.0 - kTimeTolerance; }
+  /// Stands, and carries all of its share of the weight, or is to.
+  [[nodiscard]] bool fully_loaded() const {
+    return phase == LegPhase::support && load > 1.0 - kTimeTolerance;
+  }
+
+  /// Stands without contact, or looks for the contact that it lost while it stood.
+  [[nodiscard]] bool lacks_contact() const {
+    return regains || (phase == LegPhase::support && without_contact > 0.0);
+  }
 
   /// Counts as a leg on the ground for rule 1.
   [[nodiscard]] bool supports(const SwingParams& params) const {

@@ -59,12 +59,13 @@ TEST(LostLeg, ALegThatGoesWhileItsTripodCarriesIsCaught) {
 // Two feet stand, and the body falls over the line between them, ahead: where the feet that swing ahead go on it is caught, where
 // they are put down at once 6 of 20 fall.
 TEST(LostLeg, FeetThatSwingToWhereTheBodyFallsGoOn) {
+  const std::vector<PartFault> cut = fault(0, "2.7s", "cut");
+  const sim3d::TerrainSpec boxes = sim3d::parse_terrain("boxes:10cm");
   int falls = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     sim3d::WorldParams params;
     params.seed = seed;
-    const std::vector<PartFault> cut = fault(0, "2.7s", "cut");
-    falls += walk_with(cut, 5.0, sim3d::parse_terrain("boxes:10cm"), params).fell ? 1 : 0;
+    falls += walk_with(cut, 5.0, boxes, params).fell ? 1 : 0;
   }
   EXPECT_LE(falls, 1);
 }
