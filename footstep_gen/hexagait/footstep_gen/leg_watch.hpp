@@ -72,6 +72,8 @@ class LegWatch {
 
   /// Takes the measurement of this tick, with executor and state as the tick before left them.
   /// @param level  the ground is about level: feet that stand bear
+  /// @param dt     control period [s], after a silence too: in it the targets went on, and the robot may not have
+  ///               heard them
   void watch(const RobotModel& model, const Executor& executor, const RobotState& state,
              const Measurement& measurement, SensorMask sensors, bool level, double dt) noexcept;
 

@@ -39,6 +39,11 @@ struct Walk {
       plant.follow(record, kDt);
     }
   }
+  /// For most of late_limit no measurement comes, and the robot stands still.
+  void be_silent() {
+    for (double t = 0.0; t < 0.9 * walker.params().late_limit; t += kDt)
+      walker.tick(PlantStatus::late, plant.measurement, Heading::straight(0.0));
+  }
   double x() const { return plant.X_OB.p.x(); }
 
   RobotModel robot;
@@ -172,6 +177,28 @@ TEST(LegWatch, TakesNoLegForGoneWhoseJointsFollow) {
     walk.go_on(1.5 * walk.walker.params().executor.swing.lift_time,
                [&](Measurement& measured) { measured.contact[4] = false; });
     EXPECT_TRUE(walk.walker.record().findings.silent.empty()) << k;
+  }
+}
+
+// In a silence the targets go on, and the robot may not have heard them.
+TEST(LegWatch, TakesNoLegForGoneThatStoodStillInASilence) {
+  for (int k = 0; k < 20; ++k) {
+    Walk walk;
+    walk.go_on(3.0 + 0.04 * k);
+    const auto open = [](Measurement& measured) { measured.contact[4] = false; };
+    walk.go_on(kDt, open);
+    walk.be_silent();
+    walk.go_on(kDt, open);
+    EXPECT_TRUE(walk.walker.record().findings.silent.empty()) << k;
+  }
+}
+
+TEST(LegWatch, FindsNothingInARobotThatIsSilentAtTimes) {
+  Walk walk;
+  for (int k = 0; k < 30; ++k) {
+    walk.go_on(0.21);
+    walk.be_silent();
+    EXPECT_TRUE(walk.walker.record().findings.none()) << k;
   }
 }
 
