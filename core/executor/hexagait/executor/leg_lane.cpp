@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <hexagait/executor/detail/foot_motion.hpp>
+#include <hexagait/executor/detail/phase_change.hpp>
 #include <hexagait/executor/detail/reflexes.hpp>
 #include <hexagait/executor/leg_lane.hpp>
 #include <hexagait/executor/tick_motion.hpp>
@@ -21,44 +22,6 @@ SwingParams params_here(const LegLane& lane, const SwingParams& at_ease) {
   SwingParams params = hastened(at_ease, lane.haste);
   params.descent_speed = faster(params.descent_speed, lane.step.descent, at_ease.max_rise);
   return params;
-}
-
-// A tick's share of a ramp that ends in the tick that is nearest to its time.
-double tick_share(double dt, double time) { return 1.0 / std::max(1.0, std::round(time / dt)); }
-
-// The foot is to leave the ground where it is.
-void rise_from_here(LegLane& lane, const Pose& X_OB) {
-  lane.p_OL = X_OB * lane.p_BF;
-  lane.rises_from = lane.p_OL.z();
-}
-
-// Begins a step at the present position of the foot.
-void begin_step(LegLane& lane, LegPhase phase, const Pose& X_OB) {
-  enter(lane, phase);
-  lane.cleared = lane.regains = false;
-  lane.retreats = lane.bounces = 0;
-  lane.haste = 1.0;
-  lane.reach_fraction = 1.0;
-  lane.beside = 0.0;
-  lane.transfer_clock = 0.0;
-  rise_from_here(lane, X_OB);
-}
-
-// A tick of a ramp of that time.
-void ramp(double& value, double target, double dt, double time) {
-  if (value == target) return;
-  const double step = tick_share(dt, time);
-  value += std::clamp(target - value, -step, step);
-}
-
-// Takes load from this tick on.
-void land(LegLane& lane, double dt, const SwingParams& params) {
-  enter(lane, LegPhase::support);
-  lane.v_O.setZero();
-  lane.a_O.setZero();
-  lane.without_contact = 0.0;
-  lane.confirmed = lane.believed = false;
-  ramp(lane.load, 1.0, dt, params.load_time);
 }
 
 // Does it carry load without contact? Its shin stands on something, or its sensor is wrong.
@@ -227,24 +190,6 @@ Vector3 descend(LegLane& lane, const LegSensed& sensed, double dt, const Pose& X
   return way_O;
 }
 
-// (plan 1)
-void follow_curve(LegLane& lane, LegPlan& plan, const Pose& X_OB, double dt, double rate,
-                  const SwingParams& params) {
-  const PointState to = plan.foot.along(lane.time);
-  const double back = decay_share(params.follow_rate * dt);
-  if (plan.in_body) {
-    lane.p_BF += to.p - lane.p_plan + back * (lane.p_plan - lane.p_BF);
-    lane.v_O = X_OB.R * (rate * to.v);
-    lane.a_O = X_OB.R * (rate * to.a);
-  } else {
-    const Vector3 way_O = to.p - lane.p_plan + back * (lane.p_plan - X_OB * lane.p_BF);
-    lane.p_BF += X_OB.R.transpose() * way_O;
-    lane.v_O = rate * to.v;
-    lane.a_O = rate * to.a;
-  }
-  lane.p_plan = to.p;
-}
-
 // Moves against the surface normal until there is contact. Contact is known up to two periods late,
 // and a foot that presses until then lifts others, which search in their turn: where the ground is
 // expected, just below where the search begins, it takes at least six periods.
@@ -343,49 +288,6 @@ void command(LegLane& lane, const FootstepCommand& step, const Pose& X_OB) noexc
   lane.a_O.setZero();
   begin_step(lane, LegPhase::unload, X_OB);
   lane.haste = step.haste;
-}
-
-void command(LegLane& lane, const LegPlan& plan, const Pose& X_OB) noexcept {
-  const bool stood = lane.on_ground();
-  lane.normal_O = plan.normal_O;
-  lane.with_body = plan.with_body();
-  lane.lost = lane.exhausted = false;
-  lane.after_unload = LegPhase::follow;
-  lane.p_plan = plan.foot.at(0.0).p;
-  begin_step(lane, stood ? LegPhase::unload : LegPhase::follow, X_OB);
-  lane.cleared = !stood;
-}
-
-void follow(LegLane& lane, LegPlan& plan, const LegSensed& sensed, const Pose& X_OB, double dt,
-            double rate, const SwingParams& params) noexcept {
-  lane.lifted = false;
-  ramp(lane.load, 0.0, dt, params.unload_time);
-  lane.cleared = lane.cleared || !sensed.contact;
-  lane.time = std::min(lane.time + rate * dt, plan.duration);
-  if (plan.kind == LegPlan::Kind::foot) follow_curve(lane, plan, X_OB, dt, rate, params);
-  if (plan.kind == LegPlan::Kind::keep) lane.v_O.setZero();
-  if (plan.kind != LegPlan::Kind::foot) lane.a_O.setZero();
-
-  const bool ended = lane.time >= plan.duration;
-  const bool coming_down = lane.v_O.dot(lane.normal_O) < 0.0 || lane.time > 0.5 * plan.duration;
-  if (plan.lands && sensed.contact && (ended || (lane.cleared && coming_down)))
-    return land(lane, dt, params);
-  if (!ended) return;
-  enter(lane, plan.lands ? LegPhase::search : LegPhase::hold);
-}
-
-// A leg that was unloading goes back to support, which contact must confirm anew. A leg that has
-// not left the ground yet lands at the first contact.
-void interrupt(LegLane& lane, bool to_stand) noexcept {
-  if (lane.phase == LegPhase::unload) {
-    enter(lane, LegPhase::support);
-    lane.with_contact = lane.without_contact = 0.0;
-    lane.touching = true;
-    lane.confirmed = false;
-  }
-  if (lane.phase != LegPhase::follow) return;
-  lane.cleared = true;
-  enter(lane, to_stand ? LegPhase::search : LegPhase::hold);
 }
 
 void advance(LegLane& lane, const LegSensed& sensed, const Pose& X_OB, double dt,

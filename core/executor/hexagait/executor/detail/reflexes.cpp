@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <hexagait/executor/detail/foot_motion.hpp>
+#include <hexagait/executor/detail/phase_change.hpp>
 #include <hexagait/executor/detail/reflexes.hpp>
 #include <hexagait/executor/foothold_search.hpp>
 

@@ -8,13 +8,6 @@
 /// set point lets go of what blocks the foot: it would push with more than 1 kN and roll the body.
 namespace hexagait {
 
-/// The phase begins: its time is 0.
-inline void enter(LegLane& lane, LegPhase phase) noexcept {
-  lane.phase = phase;
-  lane.time = 0.0;
-  lane.probes = false;
-}
-
 /// No further try is higher or nearer: what the foot meets now is its ground.
 [[nodiscard]] bool gives_up(const LegLane& lane, const SwingParams& params) noexcept;
 
