@@ -34,6 +34,7 @@ std::string state_of(const PoseFrame& frame) {
   if (frame.fault != 0) return "stopped by a fault: Backspace begins again";
   if ((frame.flags & PoseFrame::paused) != 0) return "paused";
   if ((frame.flags & PoseFrame::silent) != 0) return "stopped: no sign of life";
+  if ((frame.flags & PoseFrame::refuses) != 0) return "stands: too few legs are left to walk";
   return frame.moving ? "walks" : "stopped";
 }
 

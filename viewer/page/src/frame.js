@@ -7,7 +7,7 @@ export const kVersion = 2;
 export const kPhases = ["support", "unload", "lift", "transfer", "descend", "retreat", "follow", "search", "hold", "lost"];
 export const kFaults = ["", "not started", "bad measurement", "plant late", "plant closed", "emergency stop", "bad command"];
 export const kEmergencyStop = kFaults.indexOf("emergency stop");
-const kFlags = { paused: 1, fell: 2, silent: 4, wave: 8, tripod: 16, holding: 32, follows: 64 };
+const kFlags = { paused: 1, fell: 2, silent: 4, wave: 8, tripod: 16, holding: 32, follows: 64, refuses: 128 };
 const kTypes = ["–", "A", "B", "C", "D"];
 
 class Reader {

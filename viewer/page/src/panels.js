@@ -171,6 +171,7 @@ export class Panels {
     if (frame.holding && this.isLive) return ["no state of the robot: holds", "bad"];
     if (frame.paused) return ["paused", "held"];
     if (frame.silent) return ["stopped: nobody at the wheel", "held"];
+    if (frame.refuses) return ["stands: too few legs left to walk", "bad"];
     const who = frame.holder === 0 ? "by itself" : this.link.holds ? "you steer" : "another page steers";
     if (this.actions.goesOn && !frame.moving) return [`performing, ${who}`, "good"];
     return [frame.moving ? `walking, ${who}` : `standing, ${who}`, "good"];

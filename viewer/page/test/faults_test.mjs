@@ -48,6 +48,19 @@ test("M mends it, where it is", async () => {
   assert.ok(await page.locator("#mend").isDisabled());
 });
 
+test("with one leg on a side it stands, and says why", async () => {
+  for (const leg of ["1", "3"]) {
+    await key(leg);
+    await key("c");
+  }
+  await untilFaults("cut:LF", "cut:LM");
+  await until(page, (f) => f.refuses && !f.moving);
+  await says(page, "state", "stands: too few legs left to walk");
+  await key("m");
+  await untilFaults();
+  await until(page, (f) => !f.refuses && f.moving);
+});
+
 test("every kind of fault that the library knows can be chosen, with its legs, joints and values", async () => {
   const known = await page.evaluate(() => window.hexagait.scene().faults);
   const names = await page.locator("#fault-kind option").allTextContents();

@@ -74,6 +74,7 @@ Vector3 FrameMaker::centre_of_mass() const {
 PoseFrame FrameMaker::frame(const footstep_gen::TickRecord& record) const {
   PoseFrame f;
   if (record.holding) f.flags |= PoseFrame::holding;
+  if (record.refuses) f.flags |= PoseFrame::refuses;
   f.fault = static_cast<std::uint8_t>(record.fault);
   f.tick = ticks_;
   f.time = time();

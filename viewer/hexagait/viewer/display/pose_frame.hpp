@@ -57,6 +57,7 @@ struct PoseFrame {
     tripod = 16,   ///< gait: the tripod that waits
     holding = 32,  ///< the measurement is late: the robot holds still
     follows = 64,  ///< a path on the ground
+    refuses = 128  ///< to walk: too few legs are left
   };
 
   std::uint8_t flags = 0;

@@ -236,6 +236,22 @@ TEST(Session, BreaksAndMends) {
              [](const PoseFrame& f) { return f.contact.contains(3) && f.legs[3].phase != kLost; });
 }
 
+// With one leg on a side it can't walk, whatever it is told.
+TEST(Session, SaysThatItRefusesToWalk) {
+  Session session(options());
+  const ClientId client = session.enter();
+  for (const char* leg : {"LF", "LR"})
+    EXPECT_THAT(session.receive(client, fmt::format(R"({{"type":"fault","fault":"cut:{}"}})", leg)),
+                IsEmpty());
+  EXPECT_THAT(session.receive(client, R"({"type":"drive","curvature":0})"), IsEmpty());
+  const PoseFrame f = held_until(
+      session, client, [](const PoseFrame& g) { return (g.flags & PoseFrame::refuses) != 0; });
+  EXPECT_FALSE(f.moving);
+  EXPECT_THAT(session.receive(client, R"({"type":"stop"})"), IsEmpty());
+  held_until(session, client,
+             [](const PoseFrame& g) { return (g.flags & PoseFrame::refuses) == 0; });
+}
+
 TEST(Session, RefusesFaultsOfOtherRobotsAndChangesNothing) {
   Session session(options());
   const ClientId client = session.enter();
