@@ -113,7 +113,8 @@ void LegWatch::watch(const RobotModel& model, const Executor& executor, const Ro
     if (executor.lost().contains(i)) continue;
     if (sensors.joint_feedback) {
       watch_answer(i, executor, measurement.q[i], dt);
-      watch_stillness(i, executor, measurement.q[i], model.legs[i].max_reach, dt);
+      if (!model.legs[i].has_two_joints())
+        watch_stillness(i, executor, measurement.q[i], model.legs[i].max_reach, dt);
       watch_load(i, executor, below[i], all_bear, dt);
       watch_noise(i, executor, measurement.q[i], dt);
     }

@@ -42,7 +42,7 @@ struct LegFindings {
 ///
 /// A dead leg does not bear, and the robot sinks on it. Of sound legs loads are evened out (executor 2), and h differs by
 /// millimetres; where servos take no efforts all feet give way, and h − h̄ is small. It does not begin while a foot has lost
-/// its contact, and is not asked of a second leg: a robot that falls may fall onto sound legs.
+/// its contact, and is not asked of a second leg: a robot that falls may fall onto sound legs; nor of a robot that crawls.
 /// Before, from 3/10 of blocked_error for a twentieth of the time of a lift on, it counts as sinking().
 ///
 /// Soonest where its joints stand still though they should move. A foot that has lost its contact goes with the
@@ -51,6 +51,8 @@ struct LegFindings {
 ///
 ///     |Δq*| > e/2 + 4 d  after a quarter of the time of a lift and twice the lag of the drives,
 ///     or it retreats, more than blocked_error/2 off its set point, for half the time of a lift     (watch 3)
+///
+/// Not asked of legs of two joints: their feet slide as they stand, and stick.
 ///
 /// **Stuck closed.** The contact of a foot reads closed for 1.25 times the time of a lift without a break while the foot is
 /// measured higher than half of its clearance above where it lifted.
@@ -71,7 +73,7 @@ class LegWatch {
   explicit LegWatch(int legs = 0);
 
   /// Takes the measurement of this tick, with executor and state as the tick before left them.
-  /// @param level  the ground is about level: feet that stand bear
+  /// @param level  the ground is about level, and the robot does not sway: feet that stand bear
   /// @param dt     control period [s], after a silence too: in it the targets went on, and the robot may not have
   ///               heard them
   void watch(const RobotModel& model, const Executor& executor, const RobotState& state,

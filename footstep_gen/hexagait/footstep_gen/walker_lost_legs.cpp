@@ -36,7 +36,7 @@ void Walker::recentre() noexcept {
 
 void Walker::find_faults() noexcept {
   leg_watch_.watch(*model_, executor_, record_.state, record_.measurement, params_.sensors,
-                   stands_level(), params_.control_dt);
+                   stands_level() && !crawls(), params_.control_dt);
   record_.findings = leg_watch_.findings();
   for (LegId i = 0; !record_.findings.silent.empty() && i < model_->num_legs(); ++i)
     if (record_.findings.silent.contains(i)) lose_leg(i);

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <hexagait/sim3d/world.hpp>
 #include <hexagait/urdf/urdf.hpp>
 #include <hexagait/walk/faults/faults.hpp>
+#include <hexagait/walk/schedule.hpp>
 #include <hexagait/walk/trial.hpp>
 #include <numbers>
 #include <testing/source_path.hpp>
@@ -30,6 +32,13 @@ class Robots : public ::testing::TestWithParam<const char*> {
     options.seconds = seconds;
     options.distance = distance;
     return walked(options);
+  }
+  /// Legs that the controller takes for lost while the heading changes every two seconds.
+  [[nodiscard]] LegSet lost_as_headings_change(std::uint64_t seed, double seconds) const {
+    TrialOptions options;
+    options.schedule = random_schedule(seed, 2.0, seconds, tightest_radius(robot_));
+    options.seconds = seconds;
+    return walked(options).lost;
   }
 
   const RobotModel robot_ =
@@ -74,6 +83,10 @@ TEST_P(Robots, TurnSharplyWithoutLeavingTheirPath) {
   }
 }
 
+TEST_P(Robots, LoseNoLegAsTheirHeadingChanges) {
+  EXPECT_TRUE(lost_as_headings_change(1, 20.0).empty());
+}
+
 /// The discrete posture control of [PC04] 5.2, at 20 Hz.
 TEST(DiscretePosture, WalksAnArcWithFeetThatHardlySlip) {
   const RobotModel robot = load_urdf(testing::source_path("robots/lauron.urdf"));
@@ -94,6 +107,16 @@ TEST(DiscretePosture, WalksAnArcWithFeetThatHardlySlip) {
 INSTANTIATE_TEST_SUITE_P(All, Robots,
                          ::testing::Values("argos", "spider", "desktop", "mite", "octopod",
                                            "hexapod_mammal", "titan", "beetle", "lauron"),
+                         [](const auto& of) { return std::string(of.param); });
+
+/// Robots of four legs, which crawl: a sway puts more weight on some feet than on others.
+using Crawlers = Robots;
+
+TEST_P(Crawlers, LoseNoLegAsTheirHeadingChanges) {
+  EXPECT_TRUE(lost_as_headings_change(1, 60.0).empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Crawlers, ::testing::Values("quadruped", "quadruped_rpp"),
                          [](const auto& of) { return std::string(of.param); });
 
 /// Legs of two joints: reduced control, by strokes of the sides. Their feet slide, so how well they keep to
@@ -126,6 +149,12 @@ TEST_P(TwoJointLegs, WalkAnArcAndBackwards) {
     EXPECT_GT(s.distance, 3.0 * length_);
     EXPECT_LT(s.lateral_max, 0.3 * length_);
   }
+}
+
+// A foot that sticks holds its joints, and its contact flickers: that leg is there, (watch 3).
+TEST_P(TwoJointLegs, LoseNoneAsTheirHeadingChanges) {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U})
+    EXPECT_TRUE(lost_as_headings_change(seed, 60.0).empty()) << seed;
 }
 
 // Their feet slide and catch: with the low steps of other robots on level ground, (step 2), they fell over boxes.

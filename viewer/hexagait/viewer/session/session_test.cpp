@@ -240,16 +240,14 @@ TEST(Session, BreaksAndMends) {
 TEST(Session, SaysThatItRefusesToWalk) {
   Session session(options());
   const ClientId client = session.enter();
-  for (const char* leg : {"LF", "LR"})
-    EXPECT_THAT(session.receive(client, fmt::format(R"({{"type":"fault","fault":"cut:{}"}})", leg)),
-                IsEmpty());
-  EXPECT_THAT(session.receive(client, R"({"type":"drive","curvature":0})"), IsEmpty());
-  const PoseFrame f = held_until(
-      session, client, [](const PoseFrame& g) { return (g.flags & PoseFrame::refuses) != 0; });
-  EXPECT_FALSE(f.moving);
+  for (const char* order :
+       {R"({"type":"fault","fault":"cut:LF"})", R"({"type":"fault","fault":"cut:LR"})",
+        R"({"type":"drive","curvature":0})"})
+    EXPECT_THAT(session.receive(client, order), IsEmpty());
+  const auto refuses = [](const PoseFrame& f) { return (f.flags & PoseFrame::refuses) != 0; };
+  EXPECT_FALSE(held_until(session, client, refuses).moving);
   EXPECT_THAT(session.receive(client, R"({"type":"stop"})"), IsEmpty());
-  held_until(session, client,
-             [](const PoseFrame& g) { return (g.flags & PoseFrame::refuses) == 0; });
+  held_until(session, client, [&](const PoseFrame& f) { return !refuses(f); });
 }
 
 TEST(Session, RefusesFaultsOfOtherRobotsAndChangesNothing) {
