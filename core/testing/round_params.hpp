@@ -71,6 +71,7 @@ inline void round_body(RobotParams& p) {
   p.tolerance.tie = 0.001;
   p.tolerance.slide = 0.001;
   p.tolerance.in_a_row = 0.001;
+  p.tolerance.sliding_in_a_row = 0.22;
   p.tolerance.turn_arm = 0.5;
   p.tolerance.level_time = 4.0;
   p.tolerance.servo_stiffness = 8.0;

@@ -11,6 +11,9 @@ namespace {
 // A plan that ends faster than this expects another one to follow [m/s], [rad/s].
 constexpr double kMoving = 1e-6;
 
+// A descent is long from this share of SwingParams::search_time on.
+constexpr double kLongDescent = 0.5;
+
 }  // namespace
 
 ExecutorParams completed(ExecutorParams params, const RobotModel& model) {
@@ -154,7 +157,7 @@ void Executor::take_base_on(const RobotState& state, double dt) noexcept {
                    : BaseGoal{};
   const BaseLane before = base_;
   hexagait::advance(base_, base_command_, base_goal_, dt, params_.base);
-  if (!drags_a_foot()) return;
+  if (!drags_a_foot() && !runs_from_a_foot()) return;
   base_ = before;
   brake(base_, dt, params_.base);
 }
@@ -167,6 +170,16 @@ bool Executor::drags_a_foot() const noexcept {
     const Vector3 from_hip = legs_[i].p_BF - model_->legs[i].X_BH.p;
     if (from_hip.dot(V.v + V.w.cross(legs_[i].p_BF)) < 0.0) return true;
   }
+  return false;
+}
+
+// (executor 4). The feet of legs of two joints slide as the body tilts, and friction may keep it from following its
+// command. A foot in the air is carried by that command all the same, and may never come down.
+bool Executor::runs_from_a_foot() const noexcept {
+  if (!model_->legs[0].has_two_joints()) return false;
+  for (const LegLane& lane : legs_)
+    if (lane.phase == LegPhase::descend && lane.time > kLongDescent * params_.swing.search_time)
+      return true;
   return false;
 }
 

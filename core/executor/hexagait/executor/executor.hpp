@@ -181,6 +181,7 @@ class Executor {
   void join_displacement(LegId leg, const RobotState& state, double time) noexcept;
   [[nodiscard]] LegSolution on_its_line(LegId leg, const RobotState& state, double dt) noexcept;
   [[nodiscard]] bool drags_a_foot() const noexcept;
+  [[nodiscard]] bool runs_from_a_foot() const noexcept;
   void follow_base(const RobotState& state, double dt) noexcept;
   void go_on(const RobotState& state, double dt) noexcept;
   void note_tracking(const RobotState& state, double dt) noexcept;

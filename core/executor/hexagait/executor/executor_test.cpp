@@ -349,5 +349,35 @@ TEST(Executor, StopsTheBaseWhereAStandingLegEnds) {
   }
 }
 
+// (executor 4) Friction holds a body on legs of two joints that is told to go down faster than the foot in the air: the
+// command ends, and the foot comes down.
+TEST(Executor, StopsABaseThatRunsFromAFootOfTwoJoints) {
+  RobotModel robot = argos(0.0);
+  for (LegModel& leg : robot.legs) {
+    leg.kind = LegKind::yaw_pitch;
+    LegJoints q = LegJoints::Zero();
+    q[1] = leg.joint_sign[1] * 0.8;
+    leg.p_BC = foot_position(leg, leg_trig(leg, q));
+  }
+  Scene scene(robot);
+  RobotState& state = scene.state;
+  BaseAutoCommand base = restless({}, 3);
+  base.adaptation = [](const BaseAutoCommand&, const PoseAdaptationInput&) {
+    return BaseGoal{.height = -1.0};
+  };
+  scene.executor.command(base);
+  scene.executor.command({0, state.p_OF[0], 0.05}, state);
+  const double ground = state.p_OF[0].z();
+  double lowest = ground;
+  for (int k = 0; k < 1000; ++k) {
+    state.q[0] = scene.executor.advance(state, kDt).q[0];  // no standing leg moves
+    scene.sense();
+    state.contact = LegArray<bool>(6, true);
+    state.contact[0] = scene.executor.legs()[0].on_ground();
+    lowest = std::min(lowest, state.p_OF[0].z());
+  }
+  EXPECT_LT(lowest, ground - 0.02);
+}
+
 }  // namespace
 }  // namespace hexagait::executor_test

@@ -96,6 +96,8 @@ constexpr Parameter kParameters[] = {
     {"gait.tie_tolerance", "m", 0.0045, reach, [](P& p) -> double& { return p.tolerance.tie; }},
     {"tolerance.slide", "m", 0.0045, reach, [](P& p) -> double& { return p.tolerance.slide; }},
     {"tolerance.in_a_row", "m", 0.001, size, [](P& p) -> double& { return p.tolerance.in_a_row; }},
+    {"tolerance.sliding_in_a_row", "m", 1.0, reach,
+     [](P& p) -> double& { return p.tolerance.sliding_in_a_row; }},
     {"tolerance.turn_arm", "m", 0.5, size, [](P& p) -> double& { return p.tolerance.turn_arm; }},
     {"tolerance.tilt_time", "s", 15.5, time, [](P& p) -> double& { return p.tolerance.tilt_time; }},
     {"tolerance.level_time", "s", 12.0, time,

@@ -167,6 +167,8 @@ struct ToleranceParams {
   /// The change of distances at which the weight of a foot is halved, ε₀ of (odometry 3) [m].
   double slide = kDerived;
   double in_a_row = kDerived;  ///< feet that are within this of a line are in a row [m]
+  /// The same of legs of two joints, whose feet slide: (odometry 8) [m].
+  double sliding_in_a_row = kDerived;
   /// An angle of the base counts as much as a shift by it times this [m]: (tracker 1).
   double turn_arm = kDerived;
   /// Time in which the accelerometer, where there is one, overrules the gyroscope, τ of (tilt 1): longer

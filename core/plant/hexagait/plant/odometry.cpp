@@ -23,11 +23,24 @@ Matrix3 turned(const Matrix3& R, const Vector3& turn) {
   return orthonormalised(result);
 }
 
+// (odometry 8). Least squares, but for turns about axes that all feet are within in_a_row of.
+Vector3 turn_of_spread_feet(const Matrix3& inertia, const Vector3& moment, double in_a_row) {
+  const Eigen::SelfAdjointEigenSolver<Matrix3> axes(inertia);
+  Vector3 turn = Vector3::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const Vector3 axis = axes.eigenvectors().col(k);
+    const double spread2 = axes.eigenvalues()[k];
+    if (spread2 > in_a_row * in_a_row) turn += axis * (axis.dot(moment) / spread2);
+  }
+  return turn;
+}
+
 // One Gauss-Newton step of (odometry 1) from X: accurate to second order in the motion of one tick;
 // the next tick corrects the remainder.
-// `least2` keeps the rotation defined when fewer than three feet stand; negligible with three [m²].
+// in_a_row² keeps the rotation defined when fewer than three feet stand; negligible with three. Feet that slide
+// tell of no turn about a row of them: sliding_in_a_row is 0 if they don't [m].
 Pose registered(const Pose& X, const LegArray<Vector3>& p_BF, const LegArray<Vector3>& anchor_O,
-                const LegArray<double>& load, double least2) {
+                const LegArray<double>& load, double in_a_row, double sliding_in_a_row) {
   double weight = 0.0;
   Vector3 centroid = Vector3::Zero(), residual = Vector3::Zero();
   LegArray<Vector3> p_OF(p_BF.size());
@@ -51,12 +64,14 @@ Pose registered(const Pose& X, const LegArray<Vector3>& p_BF, const LegArray<Vec
     products += Vector3(loaded.y() * arm.z(), loaded.z() * arm.x(), loaded.x() * arm.y());
     moment += loaded.cross(anchor_O[i] - p_OF[i]);
   }
-  const double sum = squares.sum() + least2;
+  const double sum = squares.sum() + in_a_row * in_a_row;
   Matrix3 inertia;
   inertia << sum - squares.x(), -products.z(), -products.y(),  //
       -products.z(), sum - squares.y(), -products.x(),         //
       -products.y(), -products.x(), sum - squares.z();
-  const Vector3 turn = inertia.inverse() * moment;
+  const Vector3 turn = sliding_in_a_row > 0.0
+                           ? turn_of_spread_feet(inertia, moment, sliding_in_a_row)
+                           : Vector3(inertia.inverse() * moment);
 
   const Matrix3 R = turned(X.R, turn);
   return {R, centroid + residual + R * (X.R.transpose() * (X.p - centroid))};
@@ -219,12 +234,11 @@ void Odometry::update(RobotState& state, const LegArray<double>& footing, double
 
   measure_noise(state, footing);
   // Feet of legs of two joints all slide: none is worse than others for it.
+  const bool all_slide = model_->legs[0].has_two_joints();
   const LegArray<double> trust =
-      model_->legs[0].has_two_joints()
-          ? footing
-          : without_sliding(footing, state.p_BF, anchor_O_, slide_tolerance2());
-  const Pose X_OB =
-      registered(X_OB_, state.p_BF, anchor_O_, trust, tolerance_.in_a_row * tolerance_.in_a_row);
+      all_slide ? footing : without_sliding(footing, state.p_BF, anchor_O_, slide_tolerance2());
+  const Pose X_OB = registered(X_OB_, state.p_BF, anchor_O_, trust, tolerance_.in_a_row,
+                               all_slide ? tolerance_.sliding_in_a_row : 0.0);
   state.V_B = twist_between(X_OB_, X_OB, dt);
   state.X_OB = X_OB_ = X_OB;
 

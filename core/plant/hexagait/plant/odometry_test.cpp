@@ -285,5 +285,28 @@ TEST(Odometry, AnchorsAFootAnewWhereItLands) {
   EXPECT_LT((state.print_O[2] - landing).norm(), 1e-12);
 }
 
+// (odometry 8) Three feet on one side, a few millimetres off a line, that slide by a millimetre: legs of two joints tell
+// of no roll about it, and of the turns that they do tell of as before.
+TEST(Odometry, SeesNoTurnAboutARowOfFeetThatSlide) {
+  RobotModel model = point_footed(6);
+  for (LegModel& leg : model.legs) leg.kind = LegKind::yaw_pitch;
+  RobotState state = standing(six_feet());
+  state.p_BF[2].y() += 0.004;
+  Odometry odometry(model, testing::round_params().tolerance);
+  odometry.reset(state);
+  const Matrix3 before = state.X_OB.R;
+  LegArray<double> footing(6, 0.0);
+  for (const LegId i : {0, 2, 4}) footing[i] = 1.0;
+  odometry.update(state, footing, kDt);
+  state.p_BF[2].z() += 0.001;
+  for (int k = 0; k < 50; ++k) odometry.update(state, footing, kDt);
+  EXPECT_LT(rotation_vector(before.transpose() * state.X_OB.R).norm(), 0.002);
+
+  const Matrix3 turned = rotation({0.0, 0.01, 0.02});
+  for (Vector3& p : state.p_BF) p = turned.transpose() * p;
+  for (int k = 0; k < 5; ++k) odometry.update(state, footing, kDt);
+  EXPECT_LT(rotation_vector((before * turned).transpose() * state.X_OB.R).norm(), 0.004);
+}
+
 }  // namespace
 }  // namespace hexagait
