@@ -31,11 +31,21 @@ struct List {
   std::string text;
 };
 
+// The names of the files in a folder that comes with hexagait, which is never empty.
+std::vector<std::string> shipped_names(const char* folder, const char* suffix) {
+  std::vector<std::string> names = known_names(folder, suffix);
+  if (names.empty())
+    throw InvalidInput(
+        fmt::format("there are no {} in {}; set HEXAGAIT_DATA to the folder that holds {}/", folder,
+                    shared_directory(folder).string(), folder));
+  return names;
+}
+
 List robots() {
   List list;
   list.text = fmt::format("{:<14} {:>4}  {:>6}  {:>8}  {:>11}  {:>10}  {:>6}  {:>6}\n", "", "legs",
                           "joints", "mass", "stance", "legs reach", "step", "speed");
-  for (const std::string& name : known_names("robots", ".urdf")) {
+  for (const std::string& name : shipped_names("robots", ".urdf")) {
     const std::string file = robot_file(name);
     const RobotModel robot = load_urdf(file);
     const RobotScale scale = scale_of(robot);
@@ -96,7 +106,7 @@ int steps_in(const std::string& file) {
 
 List actions() {
   List list;
-  for (const std::string& name : known_names("actions", ".yaml")) {
+  for (const std::string& name : shipped_names("actions", ".yaml")) {
     const std::string file = shared_file("action", name, "actions", ".yaml");
     const std::string about = comment(file);
     // Its first sentence, up to a colon; the robot is the first word `like this`.
@@ -117,7 +127,7 @@ List actions() {
 
 List paths() {
   List list;
-  for (const std::string& name : known_names("paths", ".yaml")) {
+  for (const std::string& name : shipped_names("paths", ".yaml")) {
     const std::string file = shared_file("path", name, "paths", ".yaml");
     const std::string about = comment(file), what = about.substr(0, about.find(". "));
     list.text += fmt::format("{:<14} {}\n", name, what);

@@ -228,6 +228,7 @@ int sweep_command(const SweepArguments& arguments) {
     return kOk;
   }
   tell_missing(outcome, part);
+  if (outcome.disk_failed) return kBadInput;
   return interrupted ? kInterrupted : kFailed;
 }
 

@@ -55,6 +55,15 @@ TEST_F(Cli, ThatCannotWriteWhatItHasProvedSaysSo) {
   EXPECT_THAT(run("verify --quiet >/dev/full").err, HasSubstr("No space left on device"));
 }
 
+TEST_F(Cli, ThatCannotDrawAFigureDoesNotSayThatTheRobotFell) {
+  std::ofstream(here() / "gnuplot") << "#!/bin/sh\nexit 3\n";
+  fs::permissions(here() / "gnuplot", fs::perms::owner_all);
+  prefix_ = "PATH='" + here().string() + "':$PATH; ";
+  const Result result = run("walk --seconds 0.1 --plot walk.png");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.err, HasSubstr("gnuplot could not draw"));
+}
+
 // With stdout closed the first file that is opened must not become it.
 TEST_F(Cli, KeepsAResultOutOfItsFilesWhenStdoutIsClosed) {
   EXPECT_EQ(run("walk --seconds 0.1 --trace walk.csv >&-").status, 2);
@@ -161,6 +170,13 @@ TEST_F(Cli, FindsItsRobotsBesideItselfOrWhereItIsTold) {
   command_ = prefix / "bin/hexagait";
   EXPECT_THAT(run("robot argos").err,
               AllOf(HasSubstr("share/hexagait"), HasSubstr("HEXAGAIT_DATA")));
+  for (const std::string what : {"robots", "actions", "paths"}) {
+    const Result list = run("list " + what);
+    EXPECT_EQ(list.status, 2);
+    EXPECT_THAT(list.err,
+                AllOf(HasSubstr("there are no " + what + " in"), HasSubstr("HEXAGAIT_DATA")));
+    EXPECT_EQ(list.out, "");
+  }
   prefix_ = "HEXAGAIT_DATA='" + source.string() + "'; export HEXAGAIT_DATA; ";
   EXPECT_EQ(run("robot argos").status, 0);
   fs::create_directories(prefix / "share/hexagait/robots");

@@ -170,8 +170,8 @@ TEST_F(SweepCli, RefusesADirectoryInPlaceOfAFile) {
 TEST_F(SweepCli, TellsWhatIsMissingWhenTheDiskIsFull) {
   prefix_ = "ulimit -f 8; ";
   const Result result = run("sweep sweep.yaml --out a");
-  EXPECT_EQ(result.status, 1);
-  EXPECT_THAT(result.err, AllOf(HasSubstr("the journal can't be written"),
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.err, AllOf(HasSubstr("the journal can't be written: a/"),
                                 HasSubstr("of 40 trials are finished and kept; missing: ")));
   prefix_ = "";
   EXPECT_EQ(run("sweep sweep.yaml --out a").status, 0);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <charconv>
 #include <hexagait/experiments/row_journal.hpp>
+#include <hexagait/text/invalid_input.hpp>
 #include <iterator>
-#include <stdexcept>
 
 namespace hexagait::experiments {
 namespace {
@@ -34,13 +34,13 @@ RowJournal::RowJournal(const std::filesystem::path& file, const std::string& key
   file_.open(path_, std::ios::trunc);
   file_ << key << '\n';
   for (const auto& [number, row] : rows_) file_ << number << ' ' << row << '\n';
-  if (!file_.flush()) throw std::runtime_error("can't write '" + path_.string() + "'");
+  if (!file_.flush()) throw InvalidInput("can't write '" + path_.string() + "'");
 }
 
 void RowJournal::add(std::uint64_t number, const std::string& row) {
   rows_[number] = row;
   file_ << number << ' ' << row << '\n';
-  if (!file_.flush()) throw std::runtime_error("can't write '" + path_.string() + "'");
+  if (!file_.flush()) throw InvalidInput("can't write '" + path_.string() + "'");
 }
 
 void RowJournal::remove() {

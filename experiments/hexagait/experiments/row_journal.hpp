@@ -18,12 +18,12 @@ class RowJournal {
   /// not written to its end is left out.
   /// @param file  its directory exists
   /// @param key   all on which the rows depend, a line
-  /// @throws std::runtime_error  if it can't be written
+  /// @throws InvalidInput  if it can't be written
   RowJournal(const std::filesystem::path& file, const std::string& key);
 
   [[nodiscard]] const std::map<std::uint64_t, std::string>& rows() const { return rows_; }
   /// @param row  a line
-  /// @throws std::runtime_error  if it can't be written
+  /// @throws InvalidInput  if it can't be written
   void add(std::uint64_t number, const std::string& row);
   /// All rows are in: the file is not needed any longer.
   void remove();

@@ -88,7 +88,7 @@ void run_gnuplot(const fs::path& directory, const std::string& script, const std
   }
   std::ifstream log(directory / kLog);
   const std::string said{std::istreambuf_iterator<char>(log), {}};
-  throw std::runtime_error(fmt::format("gnuplot could not draw {}:\n{}", figure, said));
+  throw InvalidInput(fmt::format("gnuplot could not draw {}:\n{}", figure, said));
 }
 
 std::string in_quotes(const std::string& text) {

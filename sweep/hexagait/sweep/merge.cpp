@@ -150,8 +150,7 @@ Published merge(const std::vector<fs::path>& directories, const fs::path& direct
     files.publish();
     made.keep();
   } catch (const std::ios::failure&) {
-    throw std::runtime_error(
-        fmt::format("can't write into '{}'; is the disk full?", directory.string()));
+    throw InvalidInput(fmt::format("can't write into '{}'; is the disk full?", directory.string()));
   }
   return publish(directory);
 }

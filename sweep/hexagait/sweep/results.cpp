@@ -7,14 +7,15 @@
 #include <hexagait/sweep/detail/journal.hpp>
 #include <hexagait/sweep/detail/made_directory.hpp>
 #include <hexagait/sweep/results.hpp>
+#include <hexagait/text/invalid_input.hpp>
 
 namespace hexagait::sweep {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::runtime_error cant_write(const fs::path& directory) {
-  return std::runtime_error(
+InvalidInput cant_write(const fs::path& directory) {
+  return InvalidInput(
       fmt::format("can't write the results into '{}' (is the disk full?); the journal has all "
                   "finished trials: make room and run the same command again",
                   directory.string()));

@@ -20,7 +20,7 @@ struct Published {
 /// each appears at once, manifest.json last: whoever finds it has all three, unless the power failed
 /// or the disk broke in between. The journal has everything, so publish() again mends that.
 /// @throws InvalidInput        if the journal is damaged
-/// @throws std::runtime_error  if they can't be written
+/// @throws InvalidInput  if they can't be written
 Published publish(const std::filesystem::path& directory);
 
 /// Puts the journals of several directories together, in one that is made, and publishes it.

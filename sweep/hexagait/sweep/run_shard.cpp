@@ -135,8 +135,8 @@ class Run {
     const auto deadline = std::chrono::steady_clock::now() + kFarewell;
     while (pool_.busy() > 0 && !full_ && std::chrono::steady_clock::now() < deadline)
       collect(milliseconds(20));
-    refuse(books_.journal.sync());
-    if (books_.retries) refuse(books_.retries->sync());
+    refuse(books_.journal, books_.journal.sync());
+    if (books_.retries) refuse(*books_.retries, books_.retries->sync());
   }
 
  private:
@@ -161,8 +161,8 @@ class Run {
       dealer_.finish(answer);
       record(answer.lines, answer.chunk.first);
     }
-    refuse(books_.journal.sync_if_due());
-    if (books_.retries) refuse(books_.retries->sync_if_due());
+    refuse(books_.journal, books_.journal.sync_if_due());
+    if (books_.retries) refuse(*books_.retries, books_.retries->sync_if_due());
     if (options_.progress)
       options_.progress(outcome_.finished - outcome_.before + outcome_.retried,
                         outcome_.trials - outcome_.before + outcome_.to_retry);
@@ -189,7 +189,7 @@ class Run {
       record_again(lines);
       return;
     }
-    refuse(books_.journal.append(lines));
+    refuse(books_.journal, books_.journal.append(lines));
     while (!full_ && !lines.empty()) {
       const std::string_view line = lines.substr(0, lines.find('\n') + 1);
       lines.remove_prefix(line.size());
@@ -201,16 +201,17 @@ class Run {
 
   // The line of a trial that had no result.
   void record_again(std::string_view line) {
-    refuse(books_.retries->append(line));
+    refuse(*books_.retries, books_.retries->append(line));
     if (full_) return;
     ++outcome_.retried;
     outcome_.without_result -= has_no_result(line) ? 0 : 1;
   }
 
-  void refuse(const std::optional<std::string>& failure) {
+  void refuse(const Journal& journal, const std::optional<std::string>& failure) {
     if (!failure || full_) return;
-    full_ = true;
-    outcome_.failures.push_back("the journal can't be written: " + *failure);
+    full_ = outcome_.disk_failed = true;
+    outcome_.failures.push_back("the journal can't be written: " + journal.path().string() + ": " +
+                                *failure);
   }
 
   const Sweep& sweep_;

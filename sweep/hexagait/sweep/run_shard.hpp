@@ -41,6 +41,7 @@ struct RunOutcome {
   std::vector<TrialRange> missing;    ///< the first of them
   std::uint64_t further_missing = 0;  ///< number of ranges that missing has no room for
   std::vector<std::string> failures;  ///< why they are missing, each once
+  bool disk_failed = false;           ///< the journal could not be written
 
   [[nodiscard]] bool complete() const { return finished == trials && retried == to_retry; }
 };

@@ -238,6 +238,15 @@ TEST(ParseUrdf, RefusesMoreLinksAndElementsAndBytesThanARobotHas) {
   EXPECT_EQ(refusal(chain + "</robot>"), "robot.urdf: URDF: line 1: has more than 1000 links");
   EXPECT_THAT(refusal("<robot name='x'>" + repeated("<a/>", 100'001) + "</robot>"),
               ::testing::HasSubstr("has more than 100000 elements"));
+  // The parser compares each attribute with all before it: 200 000 of them took it two minutes.
+  const auto with_attributes = [](int count) {
+    std::string tag = "<odd";
+    for (int i = 0; i < count; ++i) tag += " a" + std::to_string(i) + "='1'";
+    return edited(argos_text(), "</robot>", tag + "/></robot>");
+  };
+  EXPECT_EQ(refusal(with_attributes(100)), "");
+  EXPECT_THAT(refusal(with_attributes(200'000)),
+              ::testing::HasSubstr("has an element of more than 100 attributes"));
   EXPECT_THAT(refusal(std::string(10'000'001, ' ')),
               ::testing::HasSubstr("has 10000001 bytes; at most 10000000 are read"));
 }

@@ -133,6 +133,8 @@ class Journal {
   /// The same if a line has waited for it longer than a second: to be called often.
   [[nodiscard]] std::optional<std::string> sync_if_due();
 
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
  private:
   std::filesystem::path path_;
   Sync sync_;

@@ -19,13 +19,21 @@ std::size_t behind(std::string_view xml, std::string_view text, std::size_t at) 
   return found == xml.npos ? xml.size() : found + text.size();
 }
 
-// Just behind the tag that begins at `at`: the next > that is not in quotation marks.
-std::size_t end_of_tag(std::string_view xml, std::size_t at) {
+struct Tag {
+  std::size_t end = 0;  // just behind it
+  std::size_t attributes = 0;
+};
+
+// The tag that begins at `at`: up to the next > that is not in quotation marks.
+Tag tag_at(std::string_view xml, std::size_t at) {
+  Tag tag;
   while (at < xml.size() && xml[at] != '>') {
     const bool quotes = xml[at] == '"' || xml[at] == '\'';
+    if (quotes) ++tag.attributes;
     at = quotes ? behind(xml, xml.substr(at, 1), at + 1) : at + 1;
   }
-  return std::min(at + 1, xml.size());
+  tag.end = std::min(at + 1, xml.size());
+  return tag;
 }
 
 std::string at_line(std::string_view xml, std::size_t at, const std::string& problem) {
@@ -51,7 +59,7 @@ std::string too_large(std::string_view xml) {
       at = behind(xml, section->close, at + section->open.size());
       continue;
     }
-    const std::size_t end = end_of_tag(xml, at);
+    const auto [end, attributes] = tag_at(xml, at);
     const bool is_empty = end >= 2 && xml[end - 1] == '>' && xml[end - 2] == '/';
     // Links are children of the robot; what else has that name, as in a transmission, is none.
     if (depth == 1 && rest.starts_with("<link") && rest.find_first_of(" \t\r\n/>") == 5) ++links;
@@ -59,6 +67,10 @@ std::string too_large(std::string_view xml) {
       return at_line(xml, at, "elements are nested deeper than " + std::to_string(kMaxUrdfDepth));
     if (++elements > kMaxUrdfElements)
       return at_line(xml, at, "has more than " + std::to_string(kMaxUrdfElements) + " elements");
+    if (attributes > kMaxUrdfAttributes)
+      return at_line(
+          xml, at,
+          "has an element of more than " + std::to_string(kMaxUrdfAttributes) + " attributes");
     if (links > kMaxUrdfLinks)
       return at_line(xml, at, "has more than " + std::to_string(kMaxUrdfLinks) + " links");
     if (!is_empty) ++depth;
